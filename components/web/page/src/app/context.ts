@@ -40,7 +40,7 @@ export interface Panel {
 }
 
 /// Where a panel opens.
-export type Place = 'left' | 'right' | 'bottom' | 'corner-left' | 'corner-right';
+export type Dock = 'left' | 'right' | 'bottom' | 'corner-left' | 'corner-right';
 
 export interface PanelKind {
   /// Name of Fortress's plugin: "WorldControl".
@@ -48,7 +48,7 @@ export interface PanelKind {
   /// Further plugin names for the same panel.
   also?: string[];
   title: string;
-  place: Place;
+  place: Dock;
   open(context: Context, settings: Settings): Panel;
 }
 

@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { placeFor, wishesOf } from './gui.ts';
+import { placeFor, guiSettingsOf } from './gui.ts';
 import { panelFor } from './registry.ts';
 
-test('without wishes the usual panels open', () => {
-  const ids = wishesOf(null).panels.map(({ kind }) => kind.id);
+test('without gui the usual panels open', () => {
+  const ids = guiSettingsOf(null).panels.map(({ kind }) => kind.id);
   assert.deepEqual(ids, ['WorldControl', 'WorldStats', 'EntityTree', 'ComponentInspector']);
 });
 

@@ -1,18 +1,18 @@
 /// The `<gui>` of a world: an ignition.msgs.GUI converted to panels and their places.
 import type { Message } from '../connection/types.ts';
 import { parseSixfold, type Sixfold } from '../connection/poses.ts';
-import { setting, type PanelKind, type Place, type Settings } from './context.ts';
+import { setting, type PanelKind, type Dock, type Settings } from './context.ts';
 import { panelFor } from './registry.ts';
 
-export interface Wanted {
+export interface WantedPanel {
   kind: PanelKind;
   title: string;
-  place: Place;
+  place: Dock;
   settings: Settings;
 }
 
-export interface GuiWishes {
-  panels: Wanted[];
+export interface GuiSettings {
+  panels: WantedPanel[];
   /// The initial viewpoint.
   camera: Sixfold | null;
 }
@@ -22,30 +22,30 @@ const kDefaults = ['WorldControl', 'WorldStats', 'EntityTree', 'ComponentInspect
 /// Plugins that are part of the view.
 const kScenes = ['MinimalScene', 'GzScene3D', 'Scene3D'];
 
-/// Place of a panel that Fortress's window docks, or floats at a corner of the view.
-export function placeFor(usual: Place, state: string | undefined, anchors: readonly string[]): Place {
+/// Dock of a panel that Fortress's window docks, or floats at a corner of the view.
+export function placeFor(usual: Dock, state: string | undefined, anchors: readonly string[]): Dock {
   if (state !== 'floating') return usual.startsWith('corner') && state?.startsWith('docked') ? 'right' : usual;
   if (!usual.startsWith('corner')) return usual;
   return anchors.includes('right') ? 'corner-right' : anchors.includes('left') ? 'corner-left' : usual;
 }
 
-export function wishesOf(gui: Message | null): GuiWishes {
-  const plugins = (gui?.plugin ?? []) as Message[];
+export function guiSettingsOf(message: Message | null): GuiSettings {
+  const plugins = (message?.plugin ?? []) as Message[];
   if (plugins.length === 0) {
     const panels = kDefaults.map((id) => panelFor(id)!).map((kind) => ({ kind, title: kind.title, place: kind.place, settings: null }));
     return { panels, camera: null };
   }
-  const wishes: GuiWishes = { panels: [], camera: null };
+  const gui: GuiSettings = { panels: [], camera: null };
   for (const plugin of plugins) {
     const settings = parsed(plugin.innerxml as string);
-    if (kScenes.includes(plugin.filename as string)) wishes.camera = parseSixfold(setting(settings, 'camera_pose') ?? '');
+    if (kScenes.includes(plugin.filename as string)) gui.camera = parseSixfold(setting(settings, 'camera_pose') ?? '');
     const kind = panelFor(plugin.filename as string);
-    if (kind && (kind.id !== 'ViewAngle' || !wishes.panels.some((each) => each.kind === kind))) wishes.panels.push(wanted(kind, settings));
+    if (kind && (kind.id !== 'ViewAngle' || !gui.panels.some((each) => each.kind === kind))) gui.panels.push(wanted(kind, settings));
   }
-  return wishes;
+  return gui;
 }
 
-function wanted(kind: PanelKind, settings: Settings): Wanted {
+function wanted(kind: PanelKind, settings: Settings): WantedPanel {
   const look = settings?.querySelector('ignition-gui, gz-gui');
   const property = (key: string): string | undefined => look?.querySelector(`property[key="${key}"]`)?.textContent?.trim();
   const anchors = [...(look?.querySelectorAll('anchors line') ?? [])].map((line) => line.getAttribute('own') ?? '');

@@ -1,13 +1,13 @@
 /// The arrangement of panels around the view: docks at its sides and below, corners above it.
-import type { Context, Panel, PanelKind, Place, Settings } from './context.ts';
+import type { Context, Panel, PanelKind, Dock, Settings } from './context.ts';
 import { h, iconButton } from './dom.ts';
 
-const kPlaces: [Place, string][] = [
+const kDocks: [Dock, string][] = [
   ['left', 'Panels on the left'], ['right', 'Panels on the right'], ['bottom', 'Panels below'],
   ['corner-left', 'Panels at the left of the view'], ['corner-right', 'Panels at the right of the view'],
 ];
 
-interface Open {
+interface OpenPanel {
   kind: PanelKind;
   frame: HTMLElement;
   panel: Panel;
@@ -17,15 +17,15 @@ export class Layout {
   readonly element: HTMLElement;
   /// The element of the view.
   readonly stage = h('div', { class: 'stage', id: 'view' });
-  private readonly docks = new Map<Place, HTMLElement>();
-  private open: Open[] = [];
+  private readonly docks = new Map<Dock, HTMLElement>();
+  private open: OpenPanel[] = [];
   private nextId = 1;
 
   constructor() {
-    for (const [place, name] of kPlaces) {
+    for (const [place, name] of kDocks) {
       this.docks.set(place, h('div', { class: `dock ${place}`, role: 'region', 'aria-label': name, hidden: true }));
     }
-    const dock = (place: Place): HTMLElement => this.docks.get(place)!;
+    const dock = (place: Dock): HTMLElement => this.docks.get(place)!;
     const middle = h('div', { class: 'middle' }, this.stage, h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right')));
     this.element = h('main', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
   }

@@ -79,7 +79,7 @@ const loaded = loadTypes().catch((fault: Error) => log.add('error', fault.messag
 await loaded;
 const connection = new Connection(types, {
   connect: () => new WebSocket(socketAddress(), 'pongsim.web.v1') as unknown as Socket,
-  nextPicture: (callback) => void requestAnimationFrame(callback),
+  nextAnimationFrame: (callback) => void requestAnimationFrame(callback),
   later: (callback, ms) => void setTimeout(callback, ms),
 });
 connection.stateChanged.on((now) => {
@@ -87,8 +87,8 @@ connection.stateChanged.on((now) => {
   if (now === 'lost' && connection.reason) log.add('error', connection.reason);
 });
 connection.servicesChanged.on(showWorlds);
-connection.infoHeard.on(showState);
-connection.statusHeard.on(({ level, message }) => log.add((['info', 'warning', 'error'] as const)[level] ?? 'error', message));
+connection.infoReceived.on(showState);
+connection.statusReceived.on(({ level, message }) => log.add((['info', 'warning', 'error'] as const)[level] ?? 'error', message));
 // after a reconnection, messages kept by the server arrive again
 let warnedNs = 0n;
 connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {

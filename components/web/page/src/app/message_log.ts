@@ -1,7 +1,7 @@
 /// Messages for the log; errors are also shown at once.
 import { Emitter } from '../connection/emitter.ts';
 
-export interface Entry {
+export interface LogLine {
   level: 'info' | 'warning' | 'error';
   text: string;
   /// When the page received it [ms since 1970].
@@ -15,24 +15,24 @@ export interface Entry {
 const kMost = 500;
 
 export class MessageLog {
-  readonly entries: Entry[] = [];
-  readonly changed = new Emitter<Entry>();
+  readonly lines: LogLine[] = [];
+  readonly changed = new Emitter<LogLine>();
 
-  add(level: Entry['level'], text: string, isQuiet = false): void {
-    const last = this.entries.at(-1);
+  add(level: LogLine['level'], text: string, isQuiet = false): void {
+    const last = this.lines.at(-1);
     if (last && last.level === level && last.text === text) {
       last.times++;
       last.at = Date.now();
       this.changed.emit(last);
       return;
     }
-    const entry = { level, text, at: Date.now(), times: 1, isQuiet };
-    this.entries.push(entry);
-    if (this.entries.length > kMost) this.entries.shift();
-    this.changed.emit(entry);
+    const line = { level, text, at: Date.now(), times: 1, isQuiet };
+    this.lines.push(line);
+    if (this.lines.length > kMost) this.lines.shift();
+    this.changed.emit(line);
   }
 
   clear(): void {
-    this.entries.length = 0;
+    this.lines.length = 0;
   }
 }

@@ -7,7 +7,7 @@ import { World } from '../connection/world.ts';
 import { View, type Pose } from '../view/index.ts';
 import { Ends, Selection, type Context } from './context.ts';
 import { h } from './dom.ts';
-import { wishesOf } from './gui.ts';
+import { guiSettingsOf } from './gui.ts';
 import { Layout } from './layout.ts';
 import type { MessageLog } from './message_log.ts';
 import { currentTheme } from './theme.ts';
@@ -69,9 +69,9 @@ export class Shell {
       onPick: (entity) => selection.set(entity),
       onMove: (entity, pose, during) => {
         if (during) return undefined;
-        const asked = world.ask('set_pose', { id: entity, ...poseFields(pose) });
-        void this.context.attempt('Move', asked);
-        return asked;
+        const request = world.ask('set_pose', { id: entity, ...poseFields(pose) });
+        void this.context.attempt('Move', request);
+        return request;
       },
       onPlace: (pose) => {
         this.placed?.(pose);
@@ -99,10 +99,10 @@ export class Shell {
   /// The panels of the world's `<gui>`, and the initial viewpoint.
   private async openPanels(): Promise<void> {
     const { world, view } = this.context;
-    const gui = await world.ask('gui/info').catch(() => null);
-    const wishes = wishesOf(gui);
-    for (const { kind, settings, title, place } of wishes.panels) this.layout.add(kind, this.context, settings, title, place);
-    if (wishes.camera) view?.setCamera(poseOf(wishes.camera));
+    const message = await world.ask('gui/info').catch(() => null);
+    const gui = guiSettingsOf(message);
+    for (const { kind, settings, title, place } of gui.panels) this.layout.add(kind, this.context, settings, title, place);
+    if (gui.camera) view?.setCamera(poseOf(gui.camera));
   }
 
   private choosePlace(message: Message): Promise<Pose | null> {

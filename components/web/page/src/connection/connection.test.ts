@@ -90,7 +90,7 @@ test('a service answers, refuses, or is not there', async () => {
 test('rubbish of a server is told and does no harm', () => {
   const connection = connected();
   const told: string[] = [];
-  connection.statusHeard.on(({ message }) => told.push(message));
+  connection.statusReceived.on(({ message }) => told.push(message));
   FakeServer.last.onmessage?.({ data: 'torn {' });
   FakeServer.last.onmessage?.({ data: new ArrayBuffer(0) });
   FakeServer.last.sayData(99, new Uint8Array());

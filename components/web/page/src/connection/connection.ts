@@ -26,14 +26,14 @@ export interface Socket {
 export interface ConnectionOptions {
   connect(): Socket;
   /// Calls back for the next animation frame.
-  nextPicture(callback: () => void): void;
+  nextAnimationFrame(callback: () => void): void;
   later(callback: () => void, ms: number): void;
 }
 
 interface Listener {
   /// Every message, or only the latest before each frame.
   isEvery: boolean;
-  hear(payload: Uint8Array, timeNs: bigint, channel: Channel): void;
+  receive(payload: Uint8Array, timeNs: bigint, channel: Channel): void;
 }
 
 interface Subscription {
@@ -58,12 +58,12 @@ export class Connection {
 
   readonly stateChanged = new Emitter<ConnectionState>();
   /// The server has sent its information.
-  readonly infoHeard = new Emitter<void>();
+  readonly infoReceived = new Emitter<void>();
   readonly channelsChanged = new Emitter<void>();
   readonly servicesChanged = new Emitter<void>();
   /// A status message of the server.
-  readonly statusHeard = new Emitter<Status>();
-  readonly timeHeard = new Emitter<bigint>();
+  readonly statusReceived = new Emitter<Status>();
+  readonly timeReceived = new Emitter<bigint>();
 
   private socket: Socket | null = null;
   private waitMs = 250;
@@ -75,7 +75,7 @@ export class Connection {
   private readonly outgoing: Outgoing;
 
   constructor(readonly types: MessageTypes, private readonly options: ConnectionOptions) {
-    this.latest = new Latest(options.nextPicture);
+    this.latest = new Latest(options.nextAnimationFrame);
     this.outgoing = new Outgoing(types, (data) => this.send(data));
     this.open();
   }
@@ -88,16 +88,16 @@ export class Connection {
   /// Subscribes to a topic, now or when it appears, and again after a reconnection. Only the latest message before each
   /// frame is decoded, unless `isEvery`.
   /// @return A function that ends it.
-  subscribe(topic: string, hear: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
+  subscribe(topic: string, receive: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
     return this.subscribeBytes(
       topic,
-      (payload, timeNs, channel) => hear(this.types.decode(channel.schemaName, payload), timeNs, channel.schemaName),
+      (payload, timeNs, channel) => receive(this.types.decode(channel.schemaName, payload), timeNs, channel.schemaName),
       isEvery,
     );
   }
 
   /// Like `subscribe`, with undecoded bytes.
-  subscribeBytes(topic: string, hear: Listener['hear'], isEvery = false): () => void {
+  subscribeBytes(topic: string, receive: Listener['receive'], isEvery = false): () => void {
     let subscription = this.subscriptions.get(topic);
     if (!subscription) {
       subscription = { id: this.nextId++, topic, channel: null, listeners: new Set() };
@@ -105,7 +105,7 @@ export class Connection {
       this.byId.set(subscription.id, subscription);
       this.begin(subscription);
     }
-    const listener = { isEvery, hear };
+    const listener = { isEvery, receive };
     subscription.listeners.add(listener);
     return () => this.leave(subscription, listener);
   }
@@ -138,8 +138,8 @@ export class Connection {
   }
 
   /// Calls back for the next animation frame.
-  nextPicture(callback: () => void): void {
-    this.options.nextPicture(callback);
+  nextAnimationFrame(callback: () => void): void {
+    this.options.nextAnimationFrame(callback);
   }
 
   private open(): void {
@@ -153,10 +153,10 @@ export class Connection {
     };
     socket.onmessage = ({ data }) => {
       try {
-        if (typeof data === 'string') this.hearText(readText(data));
-        else this.hearFrame(readFrame(new Uint8Array(data as ArrayBuffer)));
+        if (typeof data === 'string') this.receiveText(readText(data));
+        else this.receiveFrame(readFrame(new Uint8Array(data as ArrayBuffer)));
       } catch (fault) {
-        this.statusHeard.emit({ level: 2, message: String(fault) });
+        this.statusReceived.emit({ level: 2, message: String(fault) });
       }
     };
     socket.onclose = ({ reason }) => this.lose(reason);
@@ -177,15 +177,15 @@ export class Connection {
     this.waitMs = Math.min(2 * this.waitMs, kLongestWaitMs);
   }
 
-  private hearText(message: ServerMessage): void {
+  private receiveText(message: ServerMessage): void {
     switch (message.op) {
       case 'serverInfo':
         this.serverName = message.name;
         this.capabilities = message.capabilities;
-        this.infoHeard.emit();
+        this.infoReceived.emit();
         return;
       case 'status':
-        this.statusHeard.emit(message);
+        this.statusReceived.emit(message);
         return;
       case 'advertise':
         for (const channel of message.channels) this.addChannel(channel);
@@ -213,13 +213,13 @@ export class Connection {
     }
   }
 
-  private hearFrame(frame: ServerFrame): void {
+  private receiveFrame(frame: ServerFrame): void {
     switch (frame.op) {
       case 'data':
-        this.hearData(frame.subscription, frame.payload, frame.timeNs);
+        this.receiveData(frame.subscription, frame.payload, frame.timeNs);
         return;
       case 'time':
-        this.timeHeard.emit(frame.timeNs);
+        this.timeReceived.emit(frame.timeNs);
         return;
       case 'answer':
         this.requests.answer(frame.call, frame.payload);
@@ -230,13 +230,13 @@ export class Connection {
     }
   }
 
-  private hearData(id: number, payload: Uint8Array, timeNs: bigint): void {
+  private receiveData(id: number, payload: Uint8Array, timeNs: bigint): void {
     const subscription = this.byId.get(id);
     const channel = subscription?.channel;
     if (!subscription || !channel) return;
     for (const listener of [...subscription.listeners]) {
-      if (listener.isEvery) listener.hear(payload, timeNs, channel);
-      else this.latest.put(listener, () => listener.hear(payload, timeNs, channel));
+      if (listener.isEvery) listener.receive(payload, timeNs, channel);
+      else this.latest.put(listener, () => listener.receive(payload, timeNs, channel));
     }
   }
 
@@ -266,8 +266,8 @@ export class Connection {
     const channel = this.channels.get(subscription.topic);
     if (!channel || this.state !== 'open') return;
     subscription.channel = channel;
-    const asked = { id: subscription.id, channelId: channel.id };
-    this.send(JSON.stringify({ op: 'subscribe', subscriptions: [asked] }));
+    const request = { id: subscription.id, channelId: channel.id };
+    this.send(JSON.stringify({ op: 'subscribe', subscriptions: [request] }));
   }
 
   private leave(subscription: Subscription, listener: Listener): void {

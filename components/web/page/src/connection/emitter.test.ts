@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Emitter } from './emitter.ts';
 
-test('all hear, until they end it', () => {
+test('all receive, until they end it', () => {
   const emitter = new Emitter<number>();
   const heard: number[] = [];
   const end = emitter.on((value) => heard.push(value));

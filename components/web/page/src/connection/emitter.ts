@@ -18,7 +18,7 @@ export class Emitter<T> {
     }
   }
 
-  get isHeard(): boolean {
+  get hasListeners(): boolean {
     return this.listeners.size > 0;
   }
 }

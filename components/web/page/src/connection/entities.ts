@@ -102,11 +102,11 @@ export function completeScene(scene: Message, entities: Entities, types: Message
 /// The visible parts of an actor: its skin, in the pose of its file, and the visuals of its links.
 function actorMessage(actor: Entity, types: MessageTypes): Message {
   const { id, name, components } = actor;
-  const told = components.message('Actor', 'ignition.msgs.Actor', types);
+  const message = components.message('Actor', 'ignition.msgs.Actor', types);
   const visual: Message[] = [];
-  if (told?.skinFilename) {
-    const [x, y, z] = Array<number>(3).fill(told.skinScale as number);
-    const mesh = { filename: told.skinFilename as string, scale: { x, y, z } };
+  if (message?.skinFilename) {
+    const [x, y, z] = Array<number>(3).fill(message.skinScale as number);
+    const mesh = { filename: message.skinFilename as string, scale: { x, y, z } };
     visual.push({ name: 'skin', castShadows: true, geometry: { type: kMesh, mesh } });
   }
   for (const { id: part, kind, name: partName, components: of } of actor.children) {

@@ -18,7 +18,7 @@ export class FakeServer implements Socket {
   static timers: (() => void)[] = [];
   static readonly options: ConnectionOptions = {
     connect: () => (FakeServer.last = new FakeServer()),
-    nextPicture: (callback) => void FakeServer.pictures.push(callback),
+    nextAnimationFrame: (callback) => void FakeServer.pictures.push(callback),
     later: (callback) => void FakeServer.timers.push(callback),
   };
 

@@ -2,17 +2,17 @@
 /// hidden, gets fewer values and never outdated ones.
 export class Latest {
   private readonly waiting = new Map<unknown, () => void>();
-  private isAsked = false;
+  private isScheduled = false;
 
-  /// @param nextPicture Schedules a call: requestAnimationFrame, except in tests.
-  constructor(private readonly nextPicture: (callback: () => void) => void) {}
+  /// @param nextAnimationFrame Schedules a call: requestAnimationFrame, except in tests.
+  constructor(private readonly nextAnimationFrame: (callback: () => void) => void) {}
 
   /// @param deliver Called once, unless a newer value with the same key arrives before.
   put(key: unknown, deliver: () => void): void {
     this.waiting.set(key, deliver);
-    if (this.isAsked) return;
-    this.isAsked = true;
-    this.nextPicture(() => this.deliver());
+    if (this.isScheduled) return;
+    this.isScheduled = true;
+    this.nextAnimationFrame(() => this.deliver());
   }
 
   drop(key: unknown): void {
@@ -20,7 +20,7 @@ export class Latest {
   }
 
   private deliver(): void {
-    this.isAsked = false;
+    this.isScheduled = false;
     const now = [...this.waiting.values()];
     this.waiting.clear();
     for (const each of now) {

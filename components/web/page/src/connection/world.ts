@@ -25,14 +25,14 @@ export class World {
   readonly framed = new Emitter<Frame>();
   revision = -1;
   private readonly frames = new FrameGatherer();
-  private isDrawAsked = false;
+  private isDrawScheduled = false;
   private reading: Promise<void> | null = null;
   private isStale = false;
   private readonly ends: (() => void)[] = [];
 
   constructor(readonly connection: Connection, readonly name: string) {
     this.ends.push(
-      connection.subscribeBytes(this.path('frame'), (payload) => this.hearFrame(readFrame(payload)), true),
+      connection.subscribeBytes(this.path('frame'), (payload) => this.receiveFrame(readFrame(payload)), true),
       connection.subscribe(this.path('scene/deletion'), () => void this.read(), true),
       connection.subscribe(this.path('scene/info'), () => void this.read()),
       connection.servicesChanged.on(() => {
@@ -124,16 +124,16 @@ export class World {
     this.changed.emit(this);
   }
 
-  private hearFrame(frame: Frame): void {
+  private receiveFrame(frame: Frame): void {
     this.frames.add(frame);
     if (frame.revision !== this.revision) {
       this.revision = frame.revision;
       void this.read();
     }
-    if (this.isDrawAsked) return;
-    this.isDrawAsked = true;
-    this.connection.nextPicture(() => {
-      this.isDrawAsked = false;
+    if (this.isDrawScheduled) return;
+    this.isDrawScheduled = true;
+    this.connection.nextAnimationFrame(() => {
+      this.isDrawScheduled = false;
       const moved = this.frames.take();
       if (moved) this.framed.emit(moved);
     });

@@ -11,10 +11,10 @@ export function openLog(context: Context): Panel {
   const order = ['info', 'warning', 'error'];
   const show = (): void => {
     const least = order.indexOf(level.value);
-    const entries = log.entries.filter((entry) => order.indexOf(entry.level) >= least).slice(-200);
-    list.replaceChildren(...entries.reverse().map((entry) => h('li', { class: entry.level },
-      h('time', {}, new Date(entry.at).toLocaleTimeString()), ' ', h('b', {}, entry.level), ' ', entry.text,
-      entry.times > 1 && ` (${entry.times} times)`)));
+    const entries = log.lines.filter((line) => order.indexOf(line.level) >= least).slice(-200);
+    list.replaceChildren(...entries.reverse().map((line) => h('li', { class: line.level },
+      h('time', {}, new Date(line.at).toLocaleTimeString()), ' ', h('b', {}, line.level), ' ', line.text,
+      line.times > 1 && ` (${line.times} times)`)));
     if (entries.length === 0) list.replaceChildren(h('li', { class: 'hint' }, 'Nothing'));
   };
   level.addEventListener('change', show);

@@ -4,7 +4,7 @@ import { h, iconButton, numberField } from '../app/dom.ts';
 import { scalarKind } from '../connection/fields.ts';
 import type { Message } from '../connection/types.ts';
 
-interface Part {
+interface FormField {
   element: HTMLElement;
   /// @return The value entered; undefined if empty.
   /// @throws Error with the field's name if the value does not fit its type.
@@ -13,12 +13,12 @@ interface Part {
 
 /// @return The form; `value` is the message's fields without empty ones.
 export function messageForm(type: DescMessage): { element: HTMLElement; value(): Message } {
-  const parts = type.fields.map((field) => ({ field, part: fieldPart(field) }));
-  const element = h('div', { class: 'form' }, ...parts.map(({ part }) => part.element));
+  const inputs = type.fields.map((field) => ({ field, input: fieldInput(field) }));
+  const element = h('div', { class: 'form' }, ...inputs.map(({ input }) => input.element));
   const value = (): Message => {
     const message: Message = {};
-    for (const { field, part } of parts) {
-      const filled = part.value();
+    for (const { field, input } of inputs) {
+      const filled = input.value();
       if (filled === undefined) continue;
       if (field.oneof) message[field.oneof.localName] = { case: field.localName, value: filled };
       else message[field.localName] = filled;
@@ -28,26 +28,26 @@ export function messageForm(type: DescMessage): { element: HTMLElement; value():
   return { element, value };
 }
 
-function fieldPart(field: DescField): Part {
-  if (field.fieldKind === 'list') return listPart(field);
+function fieldInput(field: DescField): FormField {
+  if (field.fieldKind === 'list') return listInput(field);
   if (field.fieldKind === 'map') {
     return { element: h('p', { class: 'hint' }, `${field.name}: maps can't be filled in here`), value: () => undefined };
   }
-  if (field.message) return messagePart(field.name, field.message);
-  if (field.enum) return named(field.name, enumPart(field.enum));
-  return named(field.name, scalarPart(field));
+  if (field.message) return messageInput(field.name, field.message);
+  if (field.enum) return named(field.name, enumInput(field.enum));
+  return named(field.name, scalarInput(field));
 }
 
-function named(name: string, { element, value }: Part): Part {
+function named(name: string, { element, value }: FormField): FormField {
   return { element: h('label', { class: 'field' }, name, element), value };
 }
 
-function enumPart(type: DescEnum): Part {
+function enumInput(type: DescEnum): FormField {
   const select = h('select', {}, ...type.values.map(({ name, number }) => h('option', { value: number }, name)));
   return { element: select, value: () => (Number(select.value) === 0 ? undefined : Number(select.value)) };
 }
 
-function scalarPart(field: DescField): Part {
+function scalarInput(field: DescField): FormField {
   const kind = scalarKind(field.scalar!);
   if (kind === 'bool') {
     const box = h('input', { type: 'checkbox' });
@@ -80,7 +80,7 @@ export function numberOf(field: Pick<DescField, 'name' | 'scalar'>, text: string
 }
 
 /// Types may be recursive: a nested message's form is created when it is opened.
-function messagePart(name: string, type: DescMessage): Part {
+function messageInput(name: string, type: DescMessage): FormField {
   let form: ReturnType<typeof messageForm> | null = null;
   const details = h('details', {}, h('summary', {}, name));
   details.addEventListener('toggle', () => {
@@ -96,16 +96,16 @@ function messagePart(name: string, type: DescMessage): Part {
   return { element: details, value };
 }
 
-function listPart(field: DescField & { fieldKind: 'list' }): Part {
-  const parts: Part[] = [];
+function listInput(field: DescField & { fieldKind: 'list' }): FormField {
+  const inputs: FormField[] = [];
   const items = h('div', {});
   const add = iconButton('+', `Add to ${field.name}`, () => {
-    const part = field.message ? messagePart(`[${parts.length}]`, field.message)
-      : named(`[${parts.length}]`, field.enum ? enumPart(field.enum) : scalarPart(field));
-    parts.push(part);
-    items.append(part.element);
+    const input = field.message ? messageInput(`[${inputs.length}]`, field.message)
+      : named(`[${inputs.length}]`, field.enum ? enumInput(field.enum) : scalarInput(field));
+    inputs.push(input);
+    items.append(input.element);
   });
   const element = h('div', { class: 'list' }, h('span', {}, field.name), add, items);
   const none = field.message ? {} : field.scalar === 9 ? '' : 0;
-  return { element, value: () => (parts.length > 0 ? parts.map((part) => part.value() ?? none) : undefined) };
+  return { element, value: () => (inputs.length > 0 ? inputs.map((input) => input.value() ?? none) : undefined) };
 }

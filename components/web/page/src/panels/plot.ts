@@ -28,12 +28,12 @@ export function openPlot(context: Context, settings: Settings): Panel {
   const chart = new Chart();
   const span = numberField(30, { min: 1, class: 'short', title: 'Seconds shown' });
   const isPaused = h('input', { type: 'checkbox', id: 'plot-paused' });
-  let isAsked = false;
+  let isScheduled = false;
   const draw = (): void => {
-    if (isAsked || isPaused.checked) return;
-    isAsked = true;
+    if (isScheduled || isPaused.checked) return;
+    isScheduled = true;
     requestAnimationFrame(() => {
-      isAsked = false;
+      isScheduled = false;
       if (isPaused.checked) return;
       const last = Math.max(...curves.map(({ times }) => times.at(-1) ?? 0));
       chart.show(curves, last - (span.valueAsNumber || 30));

@@ -28,12 +28,12 @@ export function openTopicEcho(context: Context, settings: Settings): Panel {
   const most = numberField(10, { min: 1, max: 100, step: 1, 'aria-label': 'Messages to keep', class: 'short' });
   const output = h('pre', { class: 'echo', tabindex: 0, role: 'region', 'aria-label': 'Messages of the topic' });
   // messages may arrive faster than frames: they are written in the next one
-  let isAsked = false;
+  let isScheduled = false;
   const write = (): void => {
-    if (isAsked) return;
-    isAsked = true;
+    if (isScheduled) return;
+    isScheduled = true;
     requestAnimationFrame(() => {
-      isAsked = false;
+      isScheduled = false;
       output.textContent = kept.join('\n');
     });
   };

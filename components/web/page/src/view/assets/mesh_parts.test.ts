@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { BoxGeometry, Group, Mesh, MeshPhongMaterial, MeshStandardMaterial, Raycaster, Vector3 } from 'three';
 
-import { type Part, mirrored, namedPicture, partsOf } from './mesh_parts.ts';
+import { type MeshPart, mirrored, namedPicture, partsOf } from './mesh_parts.ts';
 
 const plain = { submesh: '', isCentered: false, hasScreenColors: false, hasTexelsFromTop: false };
 
@@ -19,7 +19,7 @@ function twoBoxes(): Group {
   return group;
 }
 
-function middle(part: Part): number[] {
+function middle(part: MeshPart): number[] {
   part.geometry.computeBoundingBox();
   return part.geometry.boundingBox!.getCenter(new Vector3()).toArray();
 }

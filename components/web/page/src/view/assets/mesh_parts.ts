@@ -14,7 +14,7 @@ import {
 import { type Paint, type Rgb, greyPaint } from '../draw/paint.ts';
 
 /// A part of a mesh file with one material.
-export interface Part {
+export interface MeshPart {
   geometry: BufferGeometry;
   /// From the file; null if it has none.
   paint: Paint | null;
@@ -32,9 +32,9 @@ export interface PartOptions {
 }
 
 /// Splits the result of a three.js loader into parts, with the nodes' transformations applied.
-export function partsOf(root: Object3D, options: PartOptions): Part[] {
+export function partsOf(root: Object3D, options: PartOptions): MeshPart[] {
   root.updateMatrixWorld(true);
-  const parts: Part[] = [];
+  const parts: MeshPart[] = [];
   root.traverse((node) => {
     if (!(node instanceof Mesh) || !isWanted(node, options.submesh)) return;
     const materials: Material[] = Array.isArray(node.material) ? node.material : [node.material];
@@ -101,7 +101,7 @@ function turnTexels(geometry: BufferGeometry): void {
   for (let i = 0; texels !== undefined && i < texels.count; ++i) texels.setY(i, 1 - texels.getY(i));
 }
 
-function center(parts: Part[]): void {
+function center(parts: MeshPart[]): void {
   const box = new Box3();
   for (const { geometry } of parts) {
     geometry.computeBoundingBox();

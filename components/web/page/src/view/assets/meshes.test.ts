@@ -22,12 +22,12 @@ function meshes(): { meshes: Meshes; asked: string[] } {
   return { meshes: new Meshes(asset, () => {}), asked };
 }
 
-function wish(filename: string, submesh = '', isCentered = false) {
+function request(filename: string, submesh = '', isCentered = false) {
   return { filename, submesh, isCentered };
 }
 
 test('the parts of a file have its materials, with their pictures where these may be', async () => {
-  const parts = await meshes().meshes.get(wish('/m/two.obj'));
+  const parts = await meshes().meshes.get(request('/m/two.obj'));
   assert.equal(parts.length, 2);
   assert.deepEqual(parts[0]!.paint!.diffuse.map(Math.round), [1, 0, 0]);
   assert.equal(parts[0]!.paint!.colorMap, '/m/pictures/red.png\n/materials/textures/pictures/red.png');
@@ -35,38 +35,38 @@ test('the parts of a file have its materials, with their pictures where these ma
 
 test('a submesh is one part, from the same file', async () => {
   const all = meshes();
-  assert.equal((await all.meshes.get(wish('/m/two.obj', 'right', true))).length, 1);
-  await all.meshes.get(wish('/m/two.obj', 'left'));
+  assert.equal((await all.meshes.get(request('/m/two.obj', 'right', true))).length, 1);
+  await all.meshes.get(request('/m/two.obj', 'left'));
   assert.deepEqual(all.asked, ['/m/two.obj', '/m/two.mtl']);
-  await assert.rejects(all.meshes.get(wish('/m/two.obj', 'middle')), /no submesh 'middle'/);
+  await assert.rejects(all.meshes.get(request('/m/two.obj', 'middle')), /no submesh 'middle'/);
 });
 
 test('without its library of materials a file has its shape, and no paint', async () => {
-  const [part] = await meshes().meshes.get(wish('/m/bare.obj'));
+  const [part] = await meshes().meshes.get(request('/m/bare.obj'));
   assert.equal(part!.paint, null);
 });
 
 test('what is known is there at once', async () => {
   const all = meshes().meshes;
-  assert.equal(all.known(wish('/m/bare.obj')), undefined);
-  const parts = await all.get(wish('/m/bare.obj'));
-  assert.equal(all.known(wish('/m/bare.obj')), parts);
+  assert.equal(all.known(request('/m/bare.obj')), undefined);
+  const parts = await all.get(request('/m/bare.obj'));
+  assert.equal(all.known(request('/m/bare.obj')), parts);
 });
 
 test('files that are no meshes are refused in words', async () => {
   const all = meshes().meshes;
-  await assert.rejects(all.get(wish('/m/two.mtl')), /\.dae, \.stl, \.obj/);
-  await assert.rejects(all.get(wish('/m/empty.obj')), /no triangles/);
-  await assert.rejects(all.get(wish('/m/lost.stl')), /there is no/);
-  await assert.rejects(all.get(wish('/m/rubbish.gltf')));
+  await assert.rejects(all.get(request('/m/two.mtl')), /\.dae, \.stl, \.obj/);
+  await assert.rejects(all.get(request('/m/empty.obj')), /no triangles/);
+  await assert.rejects(all.get(request('/m/lost.stl')), /there is no/);
+  await assert.rejects(all.get(request('/m/rubbish.gltf')));
 });
 
 test('what failed is tried again when somebody says so', async () => {
   const { meshes: all, asked } = meshes();
-  await assert.rejects(all.get(wish('/m/lost.stl')));
-  await assert.rejects(all.get(wish('/m/lost.stl')));
+  await assert.rejects(all.get(request('/m/lost.stl')));
+  await assert.rejects(all.get(request('/m/lost.stl')));
   assert.deepEqual(asked, ['/m/lost.stl']);
   all.retry();
-  await assert.rejects(all.get(wish('/m/lost.stl')));
+  await assert.rejects(all.get(request('/m/lost.stl')));
   assert.deepEqual(asked, ['/m/lost.stl', '/m/lost.stl']);
 });

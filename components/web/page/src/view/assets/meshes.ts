@@ -9,9 +9,9 @@ import { Material, Mesh, MeshPhongMaterial } from 'three';
 
 import type { FetchAsset } from '../draw/textures.ts';
 import { addressBeside, endingOf, pictureAddresses } from './address.ts';
-import { type Part, namedPicture, partsOf } from './mesh_parts.ts';
+import { type MeshPart, namedPicture, partsOf } from './mesh_parts.ts';
 
-export interface MeshWish {
+export interface MeshRequest {
   filename: string;
   submesh: string;
   isCentered: boolean;
@@ -20,9 +20,9 @@ export interface MeshWish {
 /// The mesh files in use; each is fetched and parsed once.
 export class Meshes {
   private readonly files = new Map<string, Promise<Object3D>>();
-  private readonly parts = new Map<string, Promise<Part[]>>();
-  private readonly done = new Map<string, Part[]>();
-  private readonly failed = new Set<MeshWish>();
+  private readonly parts = new Map<string, Promise<MeshPart[]>>();
+  private readonly done = new Map<string, MeshPart[]>();
+  private readonly failed = new Set<MeshRequest>();
 
   /// @param embed Stores an image embedded in a file, under an address.
   constructor(
@@ -30,47 +30,47 @@ export class Meshes {
     private readonly embed: (address: string, bytes: ArrayBuffer) => void,
   ) {}
 
-  static key(wish: MeshWish): string {
-    return `${wish.filename}|${wish.submesh}|${wish.isCentered}`;
+  static key(request: MeshRequest): string {
+    return `${request.filename}|${request.submesh}|${request.isCentered}`;
   }
 
   /// @returns The parts, if they have been loaded already.
-  known(wish: MeshWish): Part[] | undefined {
-    return this.done.get(Meshes.key(wish));
+  known(request: MeshRequest): MeshPart[] | undefined {
+    return this.done.get(Meshes.key(request));
   }
 
   /// A failed file is fetched again on the next request, because the connection may have been lost.
   retry(): void {
-    for (const wish of this.failed) {
-      this.parts.delete(Meshes.key(wish));
-      this.files.delete(wish.filename);
+    for (const request of this.failed) {
+      this.parts.delete(Meshes.key(request));
+      this.files.delete(request.filename);
     }
     this.failed.clear();
   }
 
   /// @throws (rejects) The error in the file, in words.
-  get(wish: MeshWish): Promise<Part[]> {
-    const key = Meshes.key(wish);
+  get(request: MeshRequest): Promise<MeshPart[]> {
+    const key = Meshes.key(request);
     let known = this.parts.get(key);
     if (known === undefined) {
-      known = this.read(wish);
+      known = this.read(request);
       this.parts.set(key, known);
-      known.then((parts) => this.done.set(key, parts), () => this.failed.add(wish));
+      known.then((parts) => this.done.set(key, parts), () => this.failed.add(request));
     }
     return known;
   }
 
-  private async read(wish: MeshWish): Promise<Part[]> {
-    let file = this.files.get(wish.filename);
+  private async read(request: MeshRequest): Promise<MeshPart[]> {
+    let file = this.files.get(request.filename);
     if (file === undefined) {
-      file = this.asset(wish.filename).then((bytes) => this.parse(wish.filename, bytes));
-      this.files.set(wish.filename, file);
+      file = this.asset(request.filename).then((bytes) => this.parse(request.filename, bytes));
+      this.files.set(request.filename, file);
     }
-    const ending = endingOf(wish.filename);
+    const ending = endingOf(request.filename);
     const isGltf = ending === 'glb' || ending === 'gltf';
-    const parts = partsOf(await file, { ...wish, hasScreenColors: !isGltf, hasTexelsFromTop: isGltf });
+    const parts = partsOf(await file, { ...request, hasScreenColors: !isGltf, hasTexelsFromTop: isGltf });
     if (parts.length === 0) {
-      throw new Error(wish.submesh === '' ? 'it contains no triangles' : `it has no submesh '${wish.submesh}'`);
+      throw new Error(request.submesh === '' ? 'it contains no triangles' : `it has no submesh '${request.submesh}'`);
     }
     return parts;
   }

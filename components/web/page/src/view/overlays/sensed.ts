@@ -11,7 +11,7 @@ interface Shape {
   dispose(): void;
 }
 
-interface Entry {
+interface ShownMessage {
   shape: Shape;
   message: Message;
   /// The entity whose frame it is in, if given.
@@ -21,14 +21,14 @@ interface Entry {
 /// The frame of a message, from its header or from a scan's own field; empty: none.
 export function frameNameOf(message: Message): string {
   const data = (message['header']?.data ?? []) as { key?: string; value?: string[] }[];
-  const said = data.find(({ key }) => key === 'frame_id')?.value?.[0];
-  return said ?? (message['frame'] as string | undefined) ?? '';
+  const frame = data.find(({ key }) => key === 'frame_id')?.value?.[0];
+  return frame ?? (message['frame'] as string | undefined) ?? '';
 }
 
 /// The latest messages of sensors, at the sensors' poses.
 export class Sensed {
   readonly group = new Group();
-  private readonly entries = new Map<string, Entry>();
+  private readonly entries = new Map<string, ShownMessage>();
 
   constructor(
     private readonly stage: Stage,
@@ -67,7 +67,7 @@ export class Sensed {
     for (const key of [...this.entries.keys()]) this.set(key, null);
   }
 
-  private place({ shape, message, entity }: Entry): void {
+  private place({ shape, message, entity }: ShownMessage): void {
     const id = entity ?? this.idOf(frameNameOf(message));
     const matrix = id === undefined ? null : this.stage.places.matrix(id);
     shape.object.matrix.copy(matrix ?? matrixOf(placementOf(message['worldPose'])));

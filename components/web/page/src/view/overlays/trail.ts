@@ -9,33 +9,33 @@ const smallestStep = 0.01;
 
 /// The past positions of an entity. It keeps the whole path: if it is long, every other point of its older half is
 /// dropped.
-export class Way {
-  readonly places: number[] = [];
+export class Path {
+  readonly points: number[] = [];
 
   /// @returns Whether it is far enough from the last point to be added.
   add({ x, y, z }: Vector3): boolean {
-    const end = this.places.length;
-    const [lastX, lastY, lastZ] = this.places.slice(-3);
+    const end = this.points.length;
+    const [lastX, lastY, lastZ] = this.points.slice(-3);
     if (end > 0 && Math.hypot(x - lastX!, y - lastY!, z - lastZ!) < smallestStep) return false;
-    this.places.push(x, y, z);
-    if (this.places.length > 3 * mostPoints) this.thin();
+    this.points.push(x, y, z);
+    if (this.points.length > 3 * mostPoints) this.thin();
     return true;
   }
 
   private thin(): void {
-    const points = this.places.length / 3;
+    const count = this.points.length / 3;
     const kept: number[] = [];
-    for (let i = 0; i < points; ++i) {
-      if (i % 2 === 0 || i > points / 2) kept.push(...this.places.slice(3 * i, 3 * i + 3));
+    for (let i = 0; i < count; ++i) {
+      if (i % 2 === 0 || i > count / 2) kept.push(...this.points.slice(3 * i, 3 * i + 3));
     }
-    this.places.splice(0, this.places.length, ...kept);
+    this.points.splice(0, this.points.length, ...kept);
   }
 }
 
 /// The path of an entity, as a line.
 export class Trail {
   readonly object: Line;
-  private readonly way = new Way();
+  private readonly path = new Path();
 
   constructor(readonly entity: number) {
     // each has its own colour
@@ -46,7 +46,7 @@ export class Trail {
   }
 
   add(place: Vector3): void {
-    if (this.way.add(place)) put(this.object.geometry, this.way.places);
+    if (this.path.add(place)) put(this.object.geometry, this.path.points);
   }
 
   dispose(): void {

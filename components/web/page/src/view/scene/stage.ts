@@ -2,7 +2,7 @@ import { Box3, Color, Matrix4, type Mesh, SRGBColorSpace, Scene, ShaderChunk, Ve
 
 import { groundGeometry, grayPictureOf } from '../assets/heightmap.ts';
 import { Meshes } from '../assets/meshes.ts';
-import { type Part, mirrored } from '../assets/mesh_parts.ts';
+import { type MeshPart, mirrored } from '../assets/mesh_parts.ts';
 import { Batches, type Item } from '../draw/batches.ts';
 import { Lamps, shadowRegion } from '../draw/lamps.ts';
 import { Materials, type Style, mirroredSky, withAttenuation } from '../draw/materials.ts';
@@ -34,9 +34,9 @@ export class Stage {
   private readonly textures: Textures;
   private readonly materials: Materials;
   private readonly meshes: Meshes;
-  private readonly grounds = new Map<string, Promise<Part[]>>();
+  private readonly grounds = new Map<string, Promise<MeshPart[]>>();
   private readonly geometries = new Map<string, Mesh['geometry']>();
-  private readonly told = new Set<string>();
+  private readonly reported = new Set<string>();
   private sky: Mesh | null = null;
   private generation = 0;
   private readonly matrix = new Matrix4();
@@ -58,8 +58,8 @@ export class Stage {
 
   /// Each problem is reported once.
   private tell(text: string): void {
-    if (this.told.has(text)) return;
-    this.told.add(text);
+    if (this.reported.has(text)) return;
+    this.reported.add(text);
     this.options.problem(text);
   }
 
@@ -96,7 +96,7 @@ export class Stage {
   private addVisual(visual: Visual): void {
     const wanted = visual.material && paintOf(visual.material, visual.transparency);
     const { generation } = this;
-    const add = (parts: Part[]) => {
+    const add = (parts: MeshPart[]) => {
       if (generation !== this.generation) return;
       parts.forEach((part, i) => this.addPart(visual, part, i, wanted ?? fromFile(part.paint, visual.transparency)));
     };
@@ -106,7 +106,7 @@ export class Stage {
     });
   }
 
-  private addPart(visual: Visual, part: Part, index: number, paint: Paint): void {
+  private addPart(visual: Visual, part: MeshPart, index: number, paint: Paint): void {
     const { mesh } = visual.geometry;
     const scale = mesh?.scale === undefined ? new Vector3(1, 1, 1) : vectorOf(mesh.scale);
     const isMirrored = scale.x * scale.y * scale.z < 0;
@@ -151,7 +151,7 @@ export class Stage {
   }
 
   /// Passes on the appearance of a shape: at once if it is known, otherwise when its file has arrived.
-  private withParts(shape: Shape, owner: string, add: (parts: Part[]) => void, addForm: (form: Form) => void): void {
+  private withParts(shape: Shape, owner: string, add: (parts: MeshPart[]) => void, addForm: (form: Form) => void): void {
     const { geometry } = shape;
     const form = formOf(geometry);
     if (form !== null) {
@@ -160,18 +160,18 @@ export class Stage {
     }
     const filename = geometry.mesh?.filename ?? geometry.heightmap?.filename ?? '';
     if (filename === '') return;
-    const wish = meshWish(geometry);
-    const known = wish && this.meshes.known(wish);
+    const request = meshRequest(geometry);
+    const known = request && this.meshes.known(request);
     if (known) {
       add(known);
       return;
     }
-    (wish ? this.meshes.get(wish) : this.ground(geometry)).then(add, (error: unknown) => {
+    (request ? this.meshes.get(request) : this.ground(geometry)).then(add, (error: unknown) => {
       this.tell(`'${filename}' of ${owner} can't be shown: ${words(error)}`);
     });
   }
 
-  private ground(geometry: GeometryMessage): Promise<Part[]> {
+  private ground(geometry: GeometryMessage): Promise<MeshPart[]> {
     const key = fileKey(geometry);
     let known = this.grounds.get(key);
     if (known === undefined) {
@@ -189,7 +189,7 @@ export class Stage {
   withShape(shape: Shape, owner: string, add: (geometry: Mesh['geometry'], M_PlaceForm: Matrix4) => void): void {
     const scale = shape.geometry.mesh?.scale;
     const M_PlaceShape = matrixOf(shape.X_PlaceShape, scale === undefined ? undefined : vectorOf(scale));
-    const addAll = (parts: Part[]) => parts.forEach(({ geometry }) => add(geometry, M_PlaceShape));
+    const addAll = (parts: MeshPart[]) => parts.forEach(({ geometry }) => add(geometry, M_PlaceShape));
     this.withParts(shape, owner, addAll, (form) => {
       add(this.geometryOf(form), matrixOf(times(shape.X_PlaceShape, form.X_ShapeForm), form.scale));
     });
@@ -243,7 +243,7 @@ function fromFile(paint: Paint | null, transparency: number): Paint {
   return { ...base, opacity: base.opacity * Math.min(Math.max(1 - transparency, 0), 1) };
 }
 
-function meshWish(geometry: GeometryMessage): { filename: string; submesh: string; isCentered: boolean } | null {
+function meshRequest(geometry: GeometryMessage): { filename: string; submesh: string; isCentered: boolean } | null {
   if (geometry.type !== GeometryType.mesh) return null;
   const { filename = '', submesh = '', centerSubmesh = false } = geometry.mesh ?? {};
   return { filename, submesh, isCentered: centerSubmesh };
@@ -251,6 +251,6 @@ function meshWish(geometry: GeometryMessage): { filename: string; submesh: strin
 
 /// Key by which shapes from files share their geometry.
 function fileKey(geometry: GeometryMessage): string {
-  const wish = meshWish(geometry);
-  return wish ? Meshes.key(wish) : JSON.stringify(geometry.heightmap);
+  const request = meshRequest(geometry);
+  return request ? Meshes.key(request) : JSON.stringify(geometry.heightmap);
 }
