@@ -196,7 +196,12 @@ std::vector<DownloadResult> Downloads::run(const std::vector<FuelAddress>& addre
   Queue queue;
   for (const FuelAddress& address : addresses) queue.add(address, true);
   std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < options_.jobs; ++i) threads.emplace_back([&] { work(queue); });
+  try {
+    for (std::size_t i = 1; i < options_.jobs; ++i) threads.emplace_back([&] { work(queue); });
+  } catch (const std::system_error& error) {
+    progress_.warning("at most " + std::to_string(threads.size() + 1) +
+                      " downloads at once: " + error.code().message());
+  }
   work(queue);
   for (std::thread& thread : threads) thread.join();
   checkInterruption();

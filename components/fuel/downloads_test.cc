@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/temp_folder.hh"
+#include "support/thread_limit.hh"
 
 namespace pongsim::fuel {
 namespace {
@@ -30,6 +31,19 @@ TEST(Downloads, SeeWhatAModelNeeds) {
   std::string names;
   for (const FuelAddress& each : neededBy(folder.path())) names += nameOf(each) + ";";
   EXPECT_EQ(names, "o/a version 2;o/b;o/c;");
+}
+
+TEST(Downloads, AreFewerAtOnceWhereTheSystemHasNoMoreThreads) {
+  const Settings settings;
+  const DownloadOptions options{.jobs = 8};
+  Progress progress(2, false);
+  testing::internal::CaptureStderr();
+  {
+    const test::ThreadLimit limit(2);
+    EXPECT_TRUE(Downloads(settings, options, progress).run({}).empty());
+  }
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("at most 3 downloads at once: Resource temporarily unavailable"), std::string::npos) << said;
 }
 
 }  // namespace

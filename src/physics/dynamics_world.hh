@@ -48,7 +48,7 @@ class DynamicsWorld {
   void step(double dt);
 
  private:
-  base::Workers workers_;
+  shared::Workers workers_;
   Rest rest_;
   Dispatcher dispatcher_;
   BroadPhase broadphase_;

@@ -11,6 +11,9 @@ namespace pongsim::python {
 
 namespace {
 
+/// How often an idle thread looks for work before it sleeps: some 200 us, so that it stays awake between two steps of a
+/// learner. A sleeping one is often woken on the processor of the thread that wakes it, and has to wait there.
+constexpr int kLooks = 8000;
 /// Maximum number of rounds in which waiting messages cause further ones; the rest is dropped.
 constexpr int kMostRounds = 8;
 
@@ -28,7 +31,8 @@ void Pool::Place::letGo() {
   steerings.clear();
 }
 
-Pool::Pool(std::vector<std::shared_ptr<Life>> lives, std::size_t threads) : lives_(std::move(lives)), crew_(threads) {
+Pool::Pool(std::vector<std::shared_ptr<Life>> lives, std::size_t threads)
+    : lives_(std::move(lives)), threads_(threads) {
   for (const auto& life : lives_) {
     life->use();
     worlds_.push_back(std::make_shared<Place>(life));
@@ -97,14 +101,25 @@ void Pool::checkActions() const {
   }
 }
 
+shared::Workers& Pool::startedWorkers() {
+  if (!workers_) workers_.emplace(static_cast<int>(std::min(threads_, std::max<std::size_t>(count(), 1))), kLooks);
+  if (workers_->count() > 1 && !workers_->areHere()) {
+    throw std::runtime_error(
+        "the threads of these environments did not survive the fork of the process; create the environments in the "
+        "process that steps them");
+  }
+  return *workers_;
+}
+
 template <class Work>
 void Pool::forAll(const char* what, Work work) {
   if (!isSealed_) throw py::value_error("the pool is not sealed yet");
   std::vector<Simulation*> simulations;
   for (const auto& life : lives_) simulations.push_back(&life->edit(what));
   std::vector<std::exception_ptr> thrown(count());
+  shared::Workers& workers = startedWorkers();
   Life::steppingAll(lives_, [&] {
-    crew_.run(count(), [&](std::size_t i) {
+    workers.forEach(count(), [&](std::size_t i, int) {
       lives_[i]->takeOver();
       try {
         work(i, *simulations[i]);

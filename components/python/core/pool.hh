@@ -6,15 +6,16 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/crew.hh"
 #include "core/life.hh"
 #include "core/memory.hh"
 #include "core/reading.hh"
 #include "core/steering.hh"
+#include "shared/threads/workers.hh"
 
 namespace pongsim::python {
 
@@ -94,7 +95,8 @@ class Pool {
   void checkOpen() const {
     if (isSealed_) throw py::value_error("the pool is sealed");
   }
-  /// Calls `work` for each world on the crew's threads, without the GIL, and raises an exception thrown by one.
+  /// Calls `work` for each world on the threads, without the GIL, and raises an exception thrown by one.
+  shared::Workers& startedWorkers();
   template <class Work>
   void forAll(const char* what, Work work);
   void raiseThrown(const std::vector<std::exception_ptr>& thrown) const;
@@ -105,7 +107,9 @@ class Pool {
 
   std::vector<std::shared_ptr<Place>> worlds_;
   std::vector<std::shared_ptr<Life>> lives_;
-  Crew crew_;
+  std::size_t threads_;
+  /// Started with the first step, so that the process may be forked until then.
+  std::optional<shared::Workers> workers_;
   std::vector<Limits> actionLimits_;
   std::vector<Observed> observed_;
   std::size_t valueSize_ = 0;

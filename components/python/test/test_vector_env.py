@@ -1,5 +1,10 @@
 """Many worlds as a Gymnasium vector environment."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import gymnasium
 import numpy as np
 import pytest
@@ -263,3 +268,29 @@ def test_a_thousand_episodes_leave_nothing_behind():
 
     assert grown(episodes, 200, 20) < 2_000
     envs.close()
+
+
+def test_too_many_threads_are_an_error():
+    if "san.so" in os.environ.get("LD_PRELOAD", ""):
+        pytest.skip("a sanitizer ends the process where a thread has no memory")
+    program = """
+import resource
+import numpy as np
+from test_gym import rail
+import pongsim.gym as gym
+
+envs = gym.VectorEnv(rail(), 8, threads=8)
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+# room for the stacks of a few threads
+resource.setrlimit(resource.RLIMIT_AS, (size + 30_000_000, resource.RLIM_INFINITY))
+try:
+    envs.reset(seed=1)
+except RuntimeError as error:
+    print(error)
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+envs.reset(seed=1)
+envs.step(np.zeros((8, 1)))
+"""
+    done = subprocess.run([sys.executable, "-c", program], cwd=Path(__file__).parent, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "can't start 8 threads: Resource temporarily unavailable" in done.stdout

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/arena.hh"
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 #include "physics/contacts/touch.hh"
 #include "physics/solving/rest.hh"
 
@@ -35,7 +35,7 @@ class Dispatcher final : public btCollisionDispatcher {
  public:
   /// @param mostContacts Maximum number of contact points of two collisions, unless one of them sets it; negative: no
   /// limit.
-  Dispatcher(btCollisionConfiguration& configuration, base::Arena& arena, base::Workers& workers, Rest& rest,
+  Dispatcher(btCollisionConfiguration& configuration, base::Arena& arena, shared::Workers& workers, Rest& rest,
              long long mostContacts)
       : btCollisionDispatcher(&configuration),
         arena_(arena),
@@ -91,7 +91,7 @@ class Dispatcher final : public btCollisionDispatcher {
   void collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const;
 
   base::Arena& arena_;
-  base::Workers& workers_;
+  shared::Workers& workers_;
   Rest& rest_;
   const long long mostContacts_;
   /// One for each worker.

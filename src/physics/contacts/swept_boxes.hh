@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 #include "physics/contacts/broad_phase.hh"
 
 namespace pongsim::physics {
@@ -18,7 +18,7 @@ namespace pongsim::physics {
 /// when the last step has moved the body, and anew where somebody has changed something since.
 class SweptBoxes {
  public:
-  SweptBoxes(BroadPhase& broadPhase, base::Workers& workers) : broadPhase_(broadPhase), workers_(workers) {}
+  SweptBoxes(BroadPhase& broadPhase, shared::Workers& workers) : broadPhase_(broadPhase), workers_(workers) {}
 
   /// There are so many bodies, of which the first `kept` are those of before.
   void resize(std::size_t kept, std::size_t bodies);
@@ -45,7 +45,7 @@ class SweptBoxes {
   void putThoseThatLeft(std::span<btRigidBody* const> bodies, btCollisionWorld& world);
 
   BroadPhase& broadPhase_;
-  base::Workers& workers_;
+  shared::Workers& workers_;
   std::vector<Stay> stays_;
   bool isOneUnknown_ = false;
   /// Length of the step that the boxes are for [s].

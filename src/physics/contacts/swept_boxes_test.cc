@@ -27,7 +27,7 @@ struct Ball {
   btCollisionDispatcher dispatcher{&configuration};
   BroadPhase broadPhase;
   btCollisionWorld world{&dispatcher, &broadPhase, &configuration};
-  base::Workers workers{1};
+  shared::Workers workers{1};
   SweptBoxes boxes{broadPhase, workers};
 };
 

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "base/hash.hh"
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 #include "physics/hulls/decomposition.hh"
 #include "physics/hulls/hull_code.hh"
 #include "physics/hulls/triangle_chain.hh"
@@ -150,7 +150,7 @@ void HullStore::prepare(std::span<const HullRequest> requests) {
   constexpr unsigned kMostThreads = 8;
   const auto most =
       std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads), missing.size());
-  base::Workers workers(static_cast<int>(std::max<std::size_t>(most, 1)), 1);
+  shared::Workers workers(static_cast<int>(std::max<std::size_t>(most, 1)), 1);
   workers.forEach(missing.size(), [&](std::size_t i, int) { missing[i].second->hulls = fetch(*missing[i].first); });
 }
 

@@ -47,7 +47,7 @@ void move(btRigidBody& body, double dt) {
 
 GroupedWorld::GroupedWorld(Dispatcher& dispatcher, BroadPhase& broadPhase, btCollisionConfiguration& configuration,
                            std::vector<std::unique_ptr<btConstraintSolver>> solvers, long long mostContacts,
-                           base::Workers& workers, Rest& rest, GroupWork& work)
+                           shared::Workers& workers, Rest& rest, GroupWork& work)
     : btDiscreteDynamicsWorld(&dispatcher, &broadPhase, solvers.front().get(), &configuration),
       solvers_(std::move(solvers)),
       mostContacts_(mostContacts),

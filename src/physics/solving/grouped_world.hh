@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 #include "physics/contacts/broad_phase.hh"
 #include "physics/contacts/dispatcher.hh"
 #include "physics/contacts/swept_boxes.hh"
@@ -49,7 +49,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   /// @param solvers One for each of the `workers`.
   /// @param mostContacts At how many points two collisions may touch, where neither says how many; negative: no limit.
   GroupedWorld(Dispatcher& dispatcher, BroadPhase& broadPhase, btCollisionConfiguration& configuration,
-               std::vector<std::unique_ptr<btConstraintSolver>> solvers, long long mostContacts, base::Workers& workers,
+               std::vector<std::unique_ptr<btConstraintSolver>> solvers, long long mostContacts, shared::Workers& workers,
                Rest& rest, GroupWork& work);
 
   /// Sets which bodies forces move, in the order of their slots.
@@ -149,7 +149,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   const long long mostContacts_;
   Dispatcher& dispatcher_;
   BroadPhase& broadPhase_;
-  base::Workers& workers_;
+  shared::Workers& workers_;
   Rest& rest_;
   GroupWork& work_;
   SweptBoxes boxes_;

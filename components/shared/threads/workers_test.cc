@@ -1,15 +1,19 @@
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
-namespace pongsim::base {
+#include "support/thread_limit.hh"
+
+namespace pongsim::shared {
 namespace {
 
 TEST(Workers, DoAllOnceWhoeverDoesIt) {
@@ -69,5 +73,15 @@ TEST(Workers, SeeWhatWasWrittenBefore) {
   }
 }
 
+TEST(Workers, AreRefusedWhereTheSystemHasNoMoreThreads) {
+  const test::ThreadLimit limit(2);
+  try {
+    const Workers workers(5);
+    FAIL() << "started";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "can't start 5 threads: Resource temporarily unavailable");
+  }
+}
+
 }  // namespace
-}  // namespace pongsim::base
+}  // namespace pongsim::shared

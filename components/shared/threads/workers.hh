@@ -1,12 +1,14 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <thread>
 #include <vector>
 
-namespace pongsim::base {
+namespace pongsim::shared {
 
 /// A thread pool for a piece of work that recurs thousands of times a second: its threads spin for a moment before they
 /// sleep. Each starts with its own part, the same each time, so that its data stays in its processor's caches, and then
@@ -16,11 +18,15 @@ class Workers {
   /// @param threads Number of threads, including the caller of `forEach`; at least 1.
   /// @param looks How often a thread checks for work before it sleeps. 2,000 checks take some tens of microseconds, as
   /// long as the gap between two pieces of work in a step.
+  /// @throws std::runtime_error where the system has no more threads.
   explicit Workers(int threads, int looks = 2000);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
+  /// @return Whether the calling process has the threads: one that was forked since does not, and the destructor then
+  /// leaves them to its parent.
+  bool areHere() const { return process_ == getpid(); }
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
   /// Calls `work(index, worker)` for each index below `count` (less than 2^32), and returns after all calls. `worker`
@@ -56,6 +62,7 @@ class Workers {
   };
   using Call = void (*)(void* context, std::size_t index, int worker);
 
+  void end();
   void share(std::size_t count, Call call, void* context);
   void help(int worker);
   void take(int worker);
@@ -63,6 +70,7 @@ class Workers {
   std::uint32_t waitForRound(std::uint32_t last) const;
 
   const int looks_;
+  const pid_t process_ = getpid();
 
   // the work; only written while no thread is inside
   std::vector<Part> parts_;
@@ -77,4 +85,4 @@ class Workers {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace pongsim::base
+}  // namespace pongsim::shared

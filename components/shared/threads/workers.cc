@@ -1,6 +1,10 @@
-#include "base/workers.hh"
+#include "shared/threads/workers.hh"
 
-namespace pongsim::base {
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace pongsim::shared {
 
 namespace {
 
@@ -34,10 +38,23 @@ bool Workers::Part::takeLast(std::size_t& index) {
 }
 
 Workers::Workers(int threads, int looks) : looks_(looks), parts_(static_cast<std::size_t>(threads)) {
-  for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
+  try {
+    for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
+  } catch (const std::system_error& error) {
+    end();
+    throw std::runtime_error("can't start " + std::to_string(threads) + " threads: " + error.code().message());
+  }
 }
 
 Workers::~Workers() {
+  if (areHere()) {
+    end();
+  } else {
+    for (std::thread& thread : threads_) thread.detach();
+  }
+}
+
+void Workers::end() {
   ends_ = true;
   ++round_;
   round_.notify_all();
@@ -99,4 +116,4 @@ std::uint32_t Workers::waitForRound(std::uint32_t last) const {
   return round_;
 }
 
-}  // namespace pongsim::base
+}  // namespace pongsim::shared
