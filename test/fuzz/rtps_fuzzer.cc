@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "require.hh"
+#include "shared/rtps/rtps_message.hh"
 #include "transport/udp/doorkeeper.hh"
-#include "transport/udp/rtps_message.hh"
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr std::size_t kLeaseBytes = 8;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using pongsim::transport::Doorkeeper;
   Doorkeeper doorkeeper({.isDiscovery = [](std::uint32_t port) { return port % 2 == 0; },
-                         .isOpen = [](const pongsim::transport::RtpsAddress&) { return true; }});
+                         .isOpen = [](const pongsim::shared::RtpsAddress&) { return true; }});
   Doorkeeper::TimePoint now{};
   for (std::span<const std::uint8_t> rest(data, size); rest.size() > 2;) {
     const std::size_t length = std::min<std::size_t>(rest[0] + 256U * rest[1], rest.size() - 2);
@@ -29,10 +29,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
     const std::vector<std::uint8_t> before = message;
     doorkeeper.admits(message, {0x7f000001, 7410}, Doorkeeper::Side::kLoopback, now);
-    const auto read = pongsim::transport::readRtpsMessage(before);
+    const auto read = pongsim::shared::readRtpsMessage(before);
+    std::size_t leases = 0;
+    if (read) {
+      for (const auto& sample : read->discovery) leases += sample.leasesAt.size();
+    }
     std::size_t changed = 0;
     for (std::size_t i = 0; i < message.size(); ++i) changed += message[i] != before[i] ? 1 : 0;
-    pongsim::fuzz::require(changed <= (read ? kLeaseBytes * read->discovery.size() : 0));
+    pongsim::fuzz::require(changed <= kLeaseBytes * leases);
     now += std::chrono::milliseconds(100);
     rest = rest.subspan(2 + length);
   }

@@ -10,7 +10,7 @@
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/rmw_dds_common.hh"
-#include "ros2/wire/announcements.hh"
+#include "ros2/wire/discovery_guard.hh"
 #include "ros2/wire/first_acknack.hh"
 #include "test/fuzz/require.hh"
 
@@ -25,12 +25,11 @@ constexpr std::size_t kMostGrowth = 64;
 
 using fuzz::require;
 
-/// Of a message that has been read before.
-void requireEndlessLeases(std::vector<unsigned char>& packet) {
-  const auto presence = readPresence(packet);
-  require(presence.has_value());
-  for (const Announcement& each : presence->announcements) {
-    require(!each.lease || *each.lease == std::chrono::seconds(1 << 30));
+void requireEndlessLeases(std::span<const std::uint8_t> packet) {
+  const auto message = shared::readAnyRtpsMessage(packet);
+  require(message.has_value());
+  for (const shared::RtpsDiscovery& each : message->discovery) {
+    require(!each.isOfParticipant() || !each.isAlive || each.lease == std::chrono::seconds(1 << 30));
   }
 }
 
@@ -60,9 +59,9 @@ std::vector<void (*)(Bytes)> readers() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace pongsim::ros2;
-  std::vector<unsigned char> packet(data, data + size);
+  std::vector<std::uint8_t> packet(data, data + size);
   pongsim::fuzz::require(hastenFirstAcknacks(packet) <= size / 24);
-  if (readPresence(packet)) test::requireEndlessLeases(packet);
+  DiscoveryGuard().receive(packet, {}, test::requireEndlessLeases);
   if (size < test::kChoice) return 0;
   static const auto all = test::readers();
   const std::size_t choice = data[0] | static_cast<std::size_t>(data[1]) << 8;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace pongsim::ros2 {
@@ -15,6 +16,6 @@ namespace pongsim::ros2 {
 ///
 /// @param packet An RTPS message, or any bytes.
 /// @return The number of first requests found.
-std::size_t hastenFirstAcknacks(std::span<unsigned char> packet);
+std::size_t hastenFirstAcknacks(std::span<std::uint8_t> packet);
 
 }  // namespace pongsim::ros2

@@ -18,12 +18,12 @@
 
 namespace pongsim::ros2 {
 
-LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, Leases& leases,
+LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, DiscoveryGuard& guard,
                            bool endsLeases, std::size_t largest)
     : sockets_(std::move(sockets)),
       at_(at),
       receiver_(receiver),
-      leases_(leases),
+      guard_(guard),
       endsLeases_(endsLeases),
       packet_(largest),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
@@ -53,7 +53,7 @@ int LocalChannel::endLeases() {
   using std::chrono::steady_clock;
   if (!endsLeases_) return -1;
   if (const auto now = steady_clock::now(); now >= nextLook_) {
-    nextLook_ = leases_.end(now, [this](std::span<const unsigned char> message) {
+    nextLook_ = guard_.end(now, [this](std::span<const std::uint8_t> message) {
       receiver_.OnDataReceived(message.data(), static_cast<std::uint32_t>(message.size()), at_, at_);
     });
   }
@@ -80,7 +80,7 @@ void LocalChannel::drain(const UdpSocket& socket) {
     std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
     const auto message = std::span(packet_).first(static_cast<std::size_t>(size));
     hastenFirstAcknacks(message);
-    leases_.receive(message, now, [&](std::span<const unsigned char> admitted) {
+    guard_.receive(message, now, [&](std::span<const std::uint8_t> admitted) {
       receiver_.OnDataReceived(admitted.data(), static_cast<std::uint32_t>(admitted.size()), at_, from);
     });
   }

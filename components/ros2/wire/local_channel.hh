@@ -7,12 +7,12 @@
 #include <thread>
 #include <vector>
 
-#include "ros2/wire/leases.hh"
+#include "ros2/wire/discovery_guard.hh"
 #include "ros2/wire/local_sockets.hh"
 
 namespace pongsim::ros2 {
 
-/// Hands what comes in at some sockets to Fast DDS, by way of `Leases`, from a thread of its own.
+/// Hands what comes in at some sockets to Fast DDS, by way of a `DiscoveryGuard`, from a thread of its own.
 class LocalChannel {
  public:
   using Locator = eprosima::fastrtps::rtps::Locator_t;
@@ -20,8 +20,8 @@ class LocalChannel {
 
   /// @param at What Fast DDS knows the sockets by.
   /// @param endsLeases Whether leases are to end by this channel, which then must be one where announcements are heard.
-  LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, Leases& leases, bool endsLeases,
-               std::size_t largest);
+  LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, DiscoveryGuard& guard,
+               bool endsLeases, std::size_t largest);
   /// `receiver` is not called from then on.
   ~LocalChannel();
   LocalChannel(const LocalChannel&) = delete;
@@ -36,11 +36,11 @@ class LocalChannel {
   std::vector<UdpSocket> sockets_;
   Locator at_;
   Receiver& receiver_;
-  Leases& leases_;
+  DiscoveryGuard& guard_;
   bool endsLeases_;
   /// When leases may end next.
-  Leases::TimePoint nextLook_;
-  std::vector<unsigned char> packet_;
+  DiscoveryGuard::TimePoint nextLook_;
+  std::vector<std::uint8_t> packet_;
   int wake_;
   std::atomic<bool> isOver_ = false;
   std::thread thread_;

@@ -20,7 +20,7 @@
 #include <string>
 #include <utility>
 
-#include "ros2/wire/leases.hh"
+#include "ros2/wire/discovery_guard.hh"
 #include "ros2/wire/local_channel.hh"
 
 namespace pongsim::ros2 {
@@ -149,7 +149,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
   UdpSocket sender_;
   /// One per interface.
   std::vector<UdpSocket> groupSenders_;
-  Leases leases_;
+  DiscoveryGuard guard_;
   mutable std::mutex mutex_;
   std::map<Key, std::unique_ptr<LocalChannel>> channels_;
 };
@@ -212,7 +212,7 @@ bool LocalUdpTransport::OpenInputChannel(const Locator_t& locator, dds_rtps::Tra
   // there is one such port
   const bool endsLeases = !isMulticast(locator) && isDiscoveryPort(locator.port);
   channels_[keyOf(locator)] =
-      std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, leases_, endsLeases, kLargestPacket);
+      std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, guard_, endsLeases, kLargestPacket);
   return true;
 }
 

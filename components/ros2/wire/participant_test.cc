@@ -17,14 +17,14 @@
 
 #include "ros2/wire/local_sockets.hh"
 #include "support/process.hh"
-#include "support/ros2/announced.hh"
+#include "support/rtps/announced.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::ros2 {
 namespace {
 
-using test::Process;
+using namespace test;
 
 bool comesTrue(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + test::kDeadline;
@@ -97,13 +97,13 @@ class Voice {
   UdpSocket socket_ = openSender();
 };
 
-bool doesKnow(const Participant& participant, const GuidPrefix& prefix) {
+bool doesKnow(const Participant& participant, const shared::RtpsPrefix& prefix) {
   const std::vector<Guid> all = participant.graph().participants();
   return std::ranges::any_of(
       all, [&](const Guid& each) { return std::equal(prefix.begin(), prefix.end(), each.bytes.begin()); });
 }
 
-constexpr GuidPrefix kCyclone = {1, 16, 7}, kCyclonesOther = {1, 16, 8}, kBrief = {1, 15, 9};
+constexpr shared::RtpsPrefix kCyclone = {1, 16, 7}, kCyclonesOther = {1, 16, 8}, kBrief = {1, 15, 9};
 
 TEST(Participant, MeetsTwoParticipantsThatAreAnnouncedInOneMessage) {
   const int domain = test::testDomain();
@@ -142,9 +142,9 @@ TEST(Participant, OutlivesGoodbyesAtTheEndsOfLeases) {
 
   using Clock = std::chrono::steady_clock;
   constexpr int kMany = 400;
-  std::vector<std::pair<GuidPrefix, Clock::time_point>> others;
+  std::vector<std::pair<shared::RtpsPrefix, Clock::time_point>> others;
   for (int i = 0; i < kMany; ++i) {
-    const GuidPrefix prefix = {1, 15, 1, static_cast<unsigned char>(i >> 8), static_cast<unsigned char>(i)};
+    const shared::RtpsPrefix prefix = {1, 15, 1, static_cast<unsigned char>(i >> 8), static_cast<unsigned char>(i)};
     voice.say(announcementOf({.participant = prefix, .lease = 1}));
     // about when its end is noticed
     others.emplace_back(prefix, Clock::now() + std::chrono::microseconds(1'000'000 + i % 40 * 100));

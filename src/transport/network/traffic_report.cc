@@ -4,11 +4,14 @@
 #include <string_view>
 #include <utility>
 
-#include "transport/wire_number.hh"
+#include "shared/rtps/wire_number.hh"
 
 namespace pongsim::transport {
 
 namespace {
+
+using shared::putNumber;
+using shared::takeNumber;
 
 constexpr std::size_t kTimeSize = 8, kRoleSize = 1, kNameLengthSize = 2, kCountSize = 8;
 constexpr std::size_t kLongestName = 65'535;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
-#include "transport/wire_number.hh"
+#include "shared/rtps/wire_number.hh"
 
 namespace pongsim::transport {
 
 namespace {
+
+using shared::putNumber;
+using shared::takeNumber;
 
 constexpr std::size_t kIdSize = std::tuple_size_v<ParticipantId>;
 constexpr std::size_t kCallSize = 8, kDoneSize = 1, kLengthSize = 4;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "transport/payload.hh"
+
 namespace pongsim::transport {
 
 namespace {
@@ -15,6 +17,8 @@ constexpr std::ptrdiff_t kMostOfAddress = 128;
 
 // How long a participant may be silent.
 constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
+// How long the library may take to drop who says goodbye.
+constexpr std::chrono::seconds kGoodbye{10};
 
 // How long an announcement is no news to the library, which takes note of its lease alone.
 constexpr std::chrono::seconds kNews{10};
@@ -33,7 +37,7 @@ bool Allowance::take(double amount, TimePoint now) {
 
 // More than any honest participant needs: it says the rest again until it is heard.
 Doorkeeper::Known::Known()
-    : endpoints(5000, 100), endpointBytes(8 << 20, 128 << 10), gaps(1e6, 16e3), wishes(1e4, 5e3) {}
+    : endpoints(5000, 100), endpointBytes(8 << 20, 128 << 10), gaps(1e6, 16e3), repeatRequests(1e4, 5e3) {}
 
 bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now) {
   for (const RtpsDiscovery& sample : message.discovery) {
@@ -41,7 +45,7 @@ bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now)
     if (!endpoints.take(1, now) || !endpointBytes.take(static_cast<double>(sample.bytes), now)) return false;
   }
   return gaps.take(static_cast<double>(message.gapNumbers), now) &&
-         wishes.take(static_cast<double>(message.wishes), now);
+         repeatRequests.take(static_cast<double>(message.repeatRequests), now);
 }
 
 /// Takes note of what it acknowledges.
@@ -67,17 +71,18 @@ bool Doorkeeper::Known::isNews(const RtpsMessage& message, TimePoint now) {
   return true;
 }
 
-Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease}) {}
+Doorkeeper::Doorkeeper(Sockets sockets)
+    : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease, kGoodbye}) {}
 
 Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side,
                                          TimePoint now) {
-  const std::optional<RtpsMessage> message = readRtpsMessage(bytes);
-  if (!message) return {};
+  const std::optional<RtpsMessage> message = shared::readRtpsMessage(bytes);
+  if (!message || message->largestFragmented > payloadSize(kMaximumMessage)) return {};
   bool isGoodbye = false;
   for (const RtpsDiscovery& sample : message->discovery) {
     if (sample.prefix != message->source) return {};
     // the library would take it for none at all, and drop the participant whenever it has met it
-    if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return {};
+    if (sample.isOfParticipant() && sample.isAlive && !sample.lease) return {};
     isGoodbye |= sample.isOfParticipant() && !sample.isAlive;
   }
   const std::lock_guard lock(mutex_);
@@ -89,7 +94,7 @@ Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const Rt
     leases_.end(message->source);
     return {};
   }
-  leases_.hear(*message, bytes, now);
+  if (!leases_.hear(*message, bytes, now)) return {};
   if (!known->isNews(*message, now)) return {};
   return {true, isGoodbye ? lastAcknowledgement(message->source) : std::vector<std::uint8_t>()};
 }
@@ -97,7 +102,7 @@ Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const Rt
 void Doorkeeper::sends(const RtpsMessage& message) {
   const std::lock_guard lock(mutex_);
   const auto note = [this](RtpsEntity writer, std::uint64_t number) {
-    if (writer != kSpdpWriter) sent_[writer] = std::max(sent_[writer], number);
+    if (writer != shared::kSpdpWriter) sent_[writer] = std::max(sent_[writer], number);
   };
   for (const RtpsDiscovery& each : message.discovery) note(each.writer, each.sequence);
   for (const RtpsHeartbeat& each : message.heartbeats) note(each.writer, each.last);
@@ -114,7 +119,7 @@ std::vector<std::uint8_t> Doorkeeper::lastAcknowledgement(const RtpsPrefix& pref
     const std::uint32_t count = last == known->second.acknowledged.end() ? 0 : last->second.count;
     all.push_back({writer, number + 1, count + 1});
   }
-  return acknowledgementBy(prefix, all);
+  return shared::acknowledgementBy(prefix, all);
 }
 
 void Doorkeeper::discovered(const RtpsPrefix& prefix, TimePoint now) {
@@ -150,9 +155,9 @@ bool Doorkeeper::isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbe
 Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {
   const std::lock_guard lock(mutex_);
   Endings endings;
-  for (auto& [prefix, message] : leases_.endings(now)) {
+  for (const auto& [prefix, sequence] : leases_.endings(now)) {
     if (auto before = lastAcknowledgement(prefix); !before.empty()) endings.messages.push_back(std::move(before));
-    endings.messages.push_back(std::move(message));
+    endings.messages.push_back(shared::announcementWithoutLease(prefix, sequence));
   }
   endings.nextLook = leases_.nextLook(now);
   std::erase_if(known_, [this](const auto& each) { return !leases_.runs(each.first); });

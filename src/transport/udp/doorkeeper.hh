@@ -11,10 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "transport/udp/leases.hh"
-#include "transport/udp/rtps_message.hh"
+#include "shared/rtps/leases.hh"
+#include "shared/rtps/rtps_message.hh"
 
 namespace pongsim::transport {
+
+using shared::RtpsAcknowledgement;
+using shared::RtpsAddress;
+using shared::RtpsDiscovery;
+using shared::RtpsEntity;
+using shared::RtpsHeartbeat;
+using shared::RtpsMessage;
+using shared::RtpsPrefix;
 
 /// So much a second, and so much at once.
 class Allowance {
@@ -68,7 +76,7 @@ class Doorkeeper {
 
   explicit Doorkeeper(Sockets sockets);
 
-  /// @param bytes A message; the lease in it becomes endless, as `Leases` has it.
+  /// @param bytes A message; the lease in it becomes endless, see `shared::Leases`.
   /// @param from The socket that it comes from.
   Admission admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
 
@@ -108,7 +116,7 @@ class Doorkeeper {
     TimePoint seenAt;
     /// What it has received of the participant's own discovery, by writer.
     std::map<RtpsEntity, RtpsAcknowledgement> acknowledged;
-    Allowance endpoints, endpointBytes, gaps, wishes;
+    Allowance endpoints, endpointBytes, gaps, repeatRequests;
 
     Known();
     bool isWithinMeans(const RtpsMessage& message, TimePoint now);
@@ -129,7 +137,7 @@ class Doorkeeper {
   std::map<RtpsPrefix, std::uint32_t> ignored_;
   /// By writer of this participant's own discovery, the number of its last sample that was sent.
   std::map<RtpsEntity, std::uint64_t> sent_;
-  Leases leases_;
+  shared::Leases leases_;
   /// Looks at the system's sockets.
   Allowance looks_{300, 100};
 };

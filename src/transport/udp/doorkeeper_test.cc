@@ -39,7 +39,7 @@ class DoorkeeperTest : public testing::Test {
 
   static Packet announcement(int number, std::uint32_t address = kLoopback, std::uint32_t lease = 20) {
     Packet packet(prefixOf(number));
-    beginData(packet, kSpdpWriter);
+    beginData(packet, shared::kSpdpWriter);
     packet.beginParameter(0x02);
     packet.add32(lease);
     packet.add32(0);
@@ -55,7 +55,7 @@ class DoorkeeperTest : public testing::Test {
     Packet packet(prefixOf(number));
     packet.begin(Kind::kAckNack);
     packet.addEntity(0x000003c7);
-    packet.addEntity(kPublicationsWriter);
+    packet.addEntity(shared::kPublicationsWriter);
     packet.addSequenceSet(below, 0);
     packet.add32(count);
     packet.end();
@@ -66,7 +66,7 @@ class DoorkeeperTest : public testing::Test {
 
   static Packet endpoint(int number, int owner) {
     Packet packet(prefixOf(number));
-    beginData(packet, kPublicationsWriter);
+    beginData(packet, shared::kPublicationsWriter);
     packet.addGuid(0x5a, prefixOf(owner), 0x103);
     packet.addSentinel();
     packet.end();
@@ -164,9 +164,9 @@ TEST_F(DoorkeeperTest, ForgetsWhoSaysThatItHasGone) {
 
 TEST_F(DoorkeeperTest, LetsThoseAcknowledgeAllWhoLeave) {
   RtpsMessage sent;
-  sent.discovery.emplace_back().writer = kPublicationsWriter;
+  sent.discovery.emplace_back().writer = shared::kPublicationsWriter;
   sent.discovery.back().sequence = 7;
-  sent.heartbeats = {{kPublicationsWriter, 6}, {kSubscriptionsWriter, 3}};
+  sent.heartbeats = {{shared::kPublicationsWriter, 6}, {shared::kSubscriptionsWriter, 3}};
   doorkeeper_.sends(sent);
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
   ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
@@ -174,19 +174,20 @@ TEST_F(DoorkeeperTest, LetsThoseAcknowledgeAllWhoLeave) {
   EXPECT_TRUE(before_.empty());
 
   ASSERT_TRUE(admits(goodbye(1), {kLoopback, 5000}));
-  const auto last = readRtpsMessage(before_);
+  const auto last = shared::readRtpsMessage(before_);
   ASSERT_TRUE(last);
   EXPECT_EQ(last->source, prefixOf(1));
-  EXPECT_EQ(last->acknowledgements,
-            (std::vector<RtpsAcknowledgement>{{kPublicationsWriter, 8, 5}, {kSubscriptionsWriter, 4, 1}}));
+  EXPECT_EQ(last->acknowledgements, (std::vector<RtpsAcknowledgement>{{shared::kPublicationsWriter, 8, 5},
+                                                                      {shared::kSubscriptionsWriter, 4, 1}}));
 
   now_ += std::chrono::seconds(21);
   doorkeeper_.removed(prefixOf(1));
   const auto messages = doorkeeper_.endings(now_).messages;
   ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ(readRtpsMessage(messages[0])->acknowledgements,
-            (std::vector<RtpsAcknowledgement>{{kPublicationsWriter, 8, 1}, {kSubscriptionsWriter, 4, 1}}));
-  EXPECT_EQ(readRtpsMessage(messages[1])->discovery.size(), 1U);
+  EXPECT_EQ(
+      shared::readRtpsMessage(messages[0])->acknowledgements,
+      (std::vector<RtpsAcknowledgement>{{shared::kPublicationsWriter, 8, 1}, {shared::kSubscriptionsWriter, 4, 1}}));
+  EXPECT_EQ(shared::readRtpsMessage(messages[1])->discovery.size(), 1U);
 }
 
 TEST_F(DoorkeeperTest, AsksTheSystemSoOftenOnly) {
@@ -221,7 +222,7 @@ TEST_F(DoorkeeperTest, HearsAnAnnouncementThatItDoesNotPassOn) {
 }
 
 TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
-  const RtpsHeartbeat five{kPublicationsWriter, 5};
+  const RtpsHeartbeat five{shared::kPublicationsWriter, 5};
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "nobody is there";
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five));
@@ -230,14 +231,14 @@ TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
   ASSERT_TRUE(admits(acknowledgement(1, 6, 3), {kLoopback, 5000}));
   ASSERT_TRUE(admits(acknowledgement(1, 2, 2), {kLoopback, 5000})) << "is late";
   EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
-  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, {kSubscriptionsWriter, 5}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, {shared::kSubscriptionsWriter, 5}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7412, five));
   ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "another one at this port has not";
 }
 
 TEST_F(DoorkeeperTest, AnswersWhoHasForgottenTheParticipantAndAsksForAll) {
-  const RtpsHeartbeat five{kPublicationsWriter, 5};
+  const RtpsHeartbeat five{shared::kPublicationsWriter, 5};
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
   ASSERT_TRUE(admits(acknowledgement(1, 6, 1), {kLoopback, 5000}));
   EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
@@ -262,7 +263,7 @@ TEST_F(DoorkeeperTest, DropsWhoHasForgottenTheParticipantAndMissesSome) {
 TEST_F(DoorkeeperTest, LetsInNobodyOfTheSameProcess) {
   doorkeeper_.ignore(prefixOf(1), 7410);
   EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000}));
-  EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, {kPublicationsWriter, 5})) << "nothing has to be said there";
+  EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, {shared::kPublicationsWriter, 5})) << "nothing has to be said there";
   EXPECT_TRUE(admits(announcement(2), {kLoopback, 5001}));
 }
 
@@ -285,7 +286,7 @@ TEST_F(DoorkeeperTest, LetsTheLibraryDropWhoHasBeenSilent) {
   now_ += std::chrono::seconds(2);
   const Doorkeeper::Endings endings = doorkeeper_.endings(now_);
   ASSERT_EQ(endings.messages.size(), 1);
-  EXPECT_EQ(readRtpsMessage(endings.messages[0])->source, prefixOf(1));
+  EXPECT_EQ(shared::readRtpsMessage(endings.messages[0])->source, prefixOf(1));
   EXPECT_EQ(endings.nextLook, now_ + std::chrono::seconds(1));
   EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000})) << "it has not been dropped yet";
   doorkeeper_.removed(prefixOf(1));
@@ -306,9 +307,31 @@ TEST_F(DoorkeeperTest, EndsTheLeaseOfWhomTheLibraryAloneKnows) {
   EXPECT_EQ(doorkeeper_.endings(now_).messages.size(), 1);
 }
 
+TEST_F(DoorkeeperTest, LetsInNoFragmentOfMoreThanAMessageMayBe) {
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  const auto admitsFragment = [&](std::uint32_t whole) {
+    Packet packet(prefixOf(1));
+    packet.begin(Kind::kDataFrag);
+    packet.add16(0);
+    packet.add16(28);
+    packet.addEntity(0);
+    packet.addEntity(0x103);
+    packet.addSequence(1);
+    packet.add32(1);
+    packet.add16(1);
+    packet.add16(64);
+    packet.add32(whole);
+    packet.addZeros(64);
+    packet.end();
+    return admits(packet, {kLoopback, 5000});
+  };
+  EXPECT_TRUE(admitsFragment(1000));
+  EXPECT_FALSE(admitsFragment(0xffffffff));
+}
+
 TEST_F(DoorkeeperTest, LetsInNobodyWithoutALease) {
   Packet packet(prefixOf(1));
-  beginData(packet, kSpdpWriter);
+  beginData(packet, shared::kSpdpWriter);
   packet.addGuid(0x50, prefixOf(1), 0x1c1);
   packet.addLocator(0x32, kLoopback, 7410);
   packet.addSentinel();

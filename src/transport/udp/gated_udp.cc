@@ -74,7 +74,7 @@ class OwnSide : public rtps::LocatorsIterator {
 
   void read() {
     isRead_ = true;
-    read_ = readRtpsMessage(message_);
+    read_ = shared::readRtpsMessage(message_);
     if (read_) gate_.doorkeeper.sends(*read_);
   }
 

@@ -9,9 +9,9 @@ constexpr std::chrono::milliseconds kAgain{900};
 
 }  // namespace
 
-bool Heartbeats::goTo(std::uint32_t port, std::span<const RtpsHeartbeat> heartbeats, TimePoint now) {
+bool Heartbeats::goTo(std::uint32_t port, std::span<const shared::RtpsHeartbeat> heartbeats, TimePoint now) {
   bool isWanted = false;
-  for (const RtpsHeartbeat& each : heartbeats) {
+  for (const shared::RtpsHeartbeat& each : heartbeats) {
     if (isAcknowledged_(port, each)) continue;
     const std::lock_guard lock(mutex_);
     const auto [sent, isNew] = sent_.try_emplace({port, each.writer});

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "transport/udp/rtps_message.hh"
+#include "shared/rtps/rtps_message.hh"
 
 namespace pongsim::transport {
 
@@ -22,13 +22,13 @@ class Heartbeats {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   /// @return Whether all participants at the port have acknowledged all that the heartbeat announces.
-  using IsAcknowledged = std::function<bool(std::uint32_t port, const RtpsHeartbeat& heartbeat)>;
+  using IsAcknowledged = std::function<bool(std::uint32_t port, const shared::RtpsHeartbeat& heartbeat)>;
 
   explicit Heartbeats(IsAcknowledged isAcknowledged) : isAcknowledged_(std::move(isAcknowledged)) {}
 
   /// @param heartbeats All that is in a message.
   /// @return Whether to send the message to this port; it then counts as sent.
-  bool goTo(std::uint32_t port, std::span<const RtpsHeartbeat> heartbeats, TimePoint now);
+  bool goTo(std::uint32_t port, std::span<const shared::RtpsHeartbeat> heartbeats, TimePoint now);
 
  private:
   struct Sent {
@@ -38,7 +38,7 @@ class Heartbeats {
 
   IsAcknowledged isAcknowledged_;
   std::mutex mutex_;
-  std::map<std::pair<std::uint32_t, RtpsEntity>, Sent> sent_;
+  std::map<std::pair<std::uint32_t, shared::RtpsEntity>, Sent> sent_;
 };
 
 }  // namespace pongsim::transport

@@ -15,13 +15,13 @@ using namespace std::chrono_literals;
 /// Heartbeats among participants of which a test says what they have acknowledged, with a clock that is told.
 class HeartbeatsTest : public testing::Test {
  protected:
-  bool goTo(std::uint32_t port, std::uint64_t last, RtpsEntity writer = kPublicationsWriter) {
-    return heartbeats_.goTo(port, std::array{RtpsHeartbeat{writer, last}}, now_);
+  bool goTo(std::uint32_t port, std::uint64_t last, shared::RtpsEntity writer = shared::kPublicationsWriter) {
+    return heartbeats_.goTo(port, std::array{shared::RtpsHeartbeat{writer, last}}, now_);
   }
 
   std::map<std::uint32_t, std::uint64_t> acknowledged_;
   Heartbeats::TimePoint now_{};
-  Heartbeats heartbeats_{[this](std::uint32_t port, const RtpsHeartbeat& heartbeat) {
+  Heartbeats heartbeats_{[this](std::uint32_t port, const shared::RtpsHeartbeat& heartbeat) {
     const auto found = acknowledged_.find(port);
     return found != acknowledged_.end() && found->second >= heartbeat.last;
   }};
@@ -44,9 +44,10 @@ TEST_F(HeartbeatsTest, GoAtOnceWhereTheyTellOfMore) {
 
 TEST_F(HeartbeatsTest, GoForEachWriter) {
   EXPECT_TRUE(goTo(7410, 5));
-  EXPECT_TRUE(goTo(7410, 5, kSubscriptionsWriter));
+  EXPECT_TRUE(goTo(7410, 5, shared::kSubscriptionsWriter));
   now_ += 1s;
-  const std::array both{RtpsHeartbeat{kPublicationsWriter, 5}, RtpsHeartbeat{kSubscriptionsWriter, 5}};
+  const std::array both{shared::RtpsHeartbeat{shared::kPublicationsWriter, 5},
+                        shared::RtpsHeartbeat{shared::kSubscriptionsWriter, 5}};
   EXPECT_TRUE(goTo(7410, 5));
   EXPECT_TRUE(heartbeats_.goTo(7410, both, now_)) << "the second one is due";
   EXPECT_FALSE(heartbeats_.goTo(7410, both, now_));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 /// @param bytes 8 at most, of std::byte or std::uint8_t.
 /// @return The unsigned number that all of them are.
@@ -39,4 +39,4 @@ inline std::uint64_t takeNumber(std::size_t size, std::span<const std::byte>& by
   return number;
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

@@ -1,4 +1,4 @@
-#include "transport/udp/leases.hh"
+#include "shared/rtps/leases.hh"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "hostile/packet.hh"
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
@@ -40,17 +40,14 @@ class LeasesTest : public testing::Test {
   /// Something that is no announcement.
   bool hearWord(const RtpsPrefix& prefix) { return hear(Packet(prefix)); }
 
-  std::optional<RtpsDiscovery> ending() {
+  std::optional<Leases::Ending> ending() {
     const auto endings = leases_.endings(now_);
-    if (endings.size() != 1) return std::nullopt;
-    const auto message = readRtpsMessage(endings.front().message);
-    if (!message || message->discovery.size() != 1) return std::nullopt;
-    return message->discovery.front();
+    return endings.size() == 1 ? std::optional(endings.front()) : std::nullopt;
   }
 
   std::vector<std::uint8_t> heard_;
   Leases::TimePoint now_ = Leases::TimePoint(std::chrono::hours(1));
-  Leases leases_{{seconds(1), seconds(100)}};
+  Leases leases_{{seconds(1), seconds(100), seconds(10)}};
 
  private:
   bool hear(const Packet& packet) {
@@ -62,10 +59,9 @@ class LeasesTest : public testing::Test {
 TEST_F(LeasesTest, AreEndlessForTheLibrary) {
   for (const std::uint32_t told : {0U, 20U, 0x7fffffffU, 0xffffffffU}) {
     ASSERT_TRUE(hearAnnouncement(kNeighbour, told));
-    const auto at = readRtpsMessage(heard_)->discovery.at(0).leaseAt;
-    ASSERT_TRUE(at);
-    EXPECT_EQ(heard_[*at + 3], 0x40) << "2^30 seconds";
-    EXPECT_EQ(heard_[*at], 0);
+    const auto message = readRtpsMessage(heard_);
+    ASSERT_TRUE(message);
+    EXPECT_EQ(message->discovery.at(0).lease, seconds(1 << 30));
   }
 }
 
@@ -80,8 +76,6 @@ TEST_F(LeasesTest, EndWhenNothingHasBeenHeardForSoLong) {
   const auto told = ending();
   ASSERT_TRUE(told);
   EXPECT_EQ(told->prefix, kNeighbour);
-  EXPECT_TRUE(told->isOfParticipant() && told->isAlive);
-  EXPECT_TRUE(told->leaseAt);
   EXPECT_TRUE(leases_.hasEnded(kNeighbour));
 }
 
@@ -120,6 +114,13 @@ TEST_F(LeasesTest, AreToldSomeTimesWhereTheLibraryNeverKnew) {
   }
   EXPECT_EQ(times, 5);
   EXPECT_EQ(leases_.size(), 0);
+}
+
+TEST_F(LeasesTest, LetNothingByThatComesTooLate) {
+  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
+  now_ += seconds(2);
+  EXPECT_FALSE(hearWord(kNeighbour)) << "before its end is told";
+  EXPECT_TRUE(ending());
 }
 
 TEST_F(LeasesTest, LetNothingByThatCouldMeetTheEnd) {
@@ -170,4 +171,4 @@ TEST_F(LeasesTest, AreLookedAtWhenOneMayEndAndEverySecond) {
 
 }  // namespace
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

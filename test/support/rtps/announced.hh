@@ -5,17 +5,16 @@
 #include <vector>
 
 #include "hostile/packet.hh"
-#include "ros2/wire/announcements.hh"
 
 /// Announcements and goodbyes of participants that only tests have.
-namespace pongsim::ros2 {
+namespace pongsim::test {
 
 /// The ids of parameters (RTPS 2.3, 9.6.2.2).
 inline constexpr std::uint16_t kLeaseId = 0x02, kMetatrafficId = 0x32, kGuidId = 0x50, kEndpointsId = 0x58,
                                kKeyHashId = 0x70, kStatusId = 0x71;
 
 struct Announced {
-  GuidPrefix participant{};
+  hostile::Prefix participant{};
   /// In seconds; unset: none.
   std::optional<std::uint32_t> lease = 20;
   std::int64_t sequence = 1;
@@ -58,7 +57,7 @@ inline void addAnnouncement(hostile::Packet& packet, const Announced& announced)
 /// Goodbyes as Fast DDS says them, which names itself in a hash of the key, and as Cyclone DDS does, in the key.
 enum class Goodbye { kWithHash, kWithKey };
 
-inline void addGoodbye(hostile::Packet& packet, const GuidPrefix& participant, Goodbye form,
+inline void addGoodbye(hostile::Packet& packet, const hostile::Prefix& participant, Goodbye form,
                        std::int64_t sequence = 2) {
   constexpr std::uint8_t kInlineQos = 2, kKey = 8;
   beginAnnouncement(packet, form == Goodbye::kWithKey ? kInlineQos | kKey : kInlineQos, sequence);
@@ -74,7 +73,7 @@ inline void addGoodbye(hostile::Packet& packet, const GuidPrefix& participant, G
 }
 
 /// What follows is somebody else's (INFO_SRC).
-inline void addSource(hostile::Packet& packet, const GuidPrefix& participant) {
+inline void addSource(hostile::Packet& packet, const hostile::Prefix& participant) {
   packet.begin(hostile::Kind::kInfoSrc);
   packet.add32(0);
   packet.add32(0x10010102);
@@ -82,20 +81,20 @@ inline void addSource(hostile::Packet& packet, const GuidPrefix& participant) {
   packet.end();
 }
 
-inline std::vector<unsigned char> bytesOf(const hostile::Packet& packet) {
+inline std::vector<std::uint8_t> bytesOf(const hostile::Packet& packet) {
   return {packet.bytes().begin(), packet.bytes().end()};
 }
 
-inline std::vector<unsigned char> announcementOf(const Announced& announced) {
+inline std::vector<std::uint8_t> announcementOf(const Announced& announced) {
   hostile::Packet packet(announced.participant);
   addAnnouncement(packet, announced);
   return bytesOf(packet);
 }
 
-inline std::vector<unsigned char> goodbyeOf(const GuidPrefix& participant, Goodbye form = Goodbye::kWithHash) {
+inline std::vector<std::uint8_t> goodbyeOf(const hostile::Prefix& participant, Goodbye form = Goodbye::kWithHash) {
   hostile::Packet packet(participant);
   addGoodbye(packet, participant, form);
   return bytesOf(packet);
 }
 
-}  // namespace pongsim::ros2
+}  // namespace pongsim::test

@@ -1,11 +1,11 @@
-#include "transport/wire_number.hh"
+#include "shared/rtps/wire_number.hh"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <utility>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 TEST(WireNumber, HasItsLeastSignificantByteFirstAndComesBack) {
   std::array<std::byte, 9> bytes{};
@@ -32,4 +32,4 @@ TEST(WireNumber, HasEitherByteOrder) {
   EXPECT_EQ(bytes, (std::array<std::uint8_t, 3>{3, 2, 1})) << "what has no room is left out";
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

@@ -1,18 +1,17 @@
-#include "transport/udp/rtps_message.hh"
+#include "shared/rtps/rtps_message.hh"
 
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
 
-#include "transport/payload.hh"
+#include "shared/rtps/submessages.hh"
+#include "shared/rtps/wire_number.hh"
 
-#include "transport/wire_number.hh"
-
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
-constexpr std::size_t kHeader = 20, kSubmessageHeader = 4, kEncapsulation = 4;
+constexpr std::size_t kEncapsulation = 4;
 constexpr RtpsEntity kParticipant = 0x000001c1;
 // The flag of a submessage that is little-endian.
 constexpr std::uint8_t kLittle = 1;
@@ -27,7 +26,8 @@ constexpr std::uint8_t kAckNack = 0x06, kHeartbeat = 0x07, kGap = 0x08, kInfoTs 
 
 namespace parameter {
 constexpr std::uint16_t kSentinel = 0x01, kLease = 0x02, kDefaultUnicast = 0x31, kMetatrafficUnicast = 0x32,
-                        kParticipantGuid = 0x50, kEndpointGuid = 0x5a, kKeyHash = 0x70;
+                        kParticipantGuid = 0x50, kEndpoints = 0x58, kEndpointGuid = 0x5a, kKeyHash = 0x70,
+                        kStatus = 0x71;
 }  // namespace parameter
 
 /// Takes numbers off the beginning of some bytes. What is not there reads as 0 and spoils the reading.
@@ -94,42 +94,87 @@ class Writing {
   std::vector<std::uint8_t> bytes_;
 };
 
+constexpr std::size_t kGuidSize = 16;
+
 /// Reads whose the sample is.
-/// @return Whether the GUID is one, and contradicts no other.
-bool takeGuid(std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
+/// @return Whether the GUID is one, and contradicts no other: Fast DDS takes one here and the other there.
+bool readGuid(std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
+  if (value.size() != kGuidSize) return false;
   const auto prefix = prefixIn(value);
-  if (!prefix || (sample.prefix && sample.prefix != prefix)) return false;
+  if (sample.prefix && sample.prefix != prefix) return false;
   sample.prefix = prefix;
-  // the library would know another one under the name of this
+  // of another entity it would be known by this name
   return !sample.isOfParticipant() || Reading(value.subspan(prefix->size()), true).entity() == kParticipant;
 }
 
-/// Reads a list of parameters up to its end.
-/// @param whole The message that it is in.
-/// @return Whether it is one, with what it says in `sample`.
-bool readParameters(Reading& list, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
+bool readAddress(Reading value, bool isForDiscovery, RtpsDiscovery& sample) {
   constexpr std::uint32_t kUdpV4 = 1;
+  const bool isUdp = value.number(4) == kUdpV4;
+  const auto port = static_cast<std::uint32_t>(value.number(4));
+  value.take(12);
+  const RtpsAddress address{value.entity(), port};
+  if (!value.isGood()) return false;
+  if (isUdp) sample.addresses.push_back(address);
+  if (isUdp && isForDiscovery) sample.discoveryAddresses.push_back(address);
+  return true;
+}
+
+bool readLease(Reading value, std::size_t at, RtpsDiscovery& sample) {
+  const std::chrono::seconds seconds(value.number(4));
+  const std::uint64_t fraction = value.number(4);
+  if (!value.isGood() || !value.rest().empty()) return false;
+  sample.lease = seconds + std::chrono::nanoseconds(fraction * 1'000'000'000 >> 32);
+  sample.leasesAt.push_back(at);
+  return true;
+}
+
+/// Reads a parameter of what describes a participant or an endpoint.
+/// @param whole The message that it is in.
+bool readParameter(std::uint64_t id, std::span<const std::uint8_t> value, std::span<const std::uint8_t> whole,
+                   RtpsDiscovery& sample) {
+  constexpr std::uint64_t kAnnouncer = 1;
+  Reading reading(value, sample.isLittleEndian);
+  switch (id) {
+    case parameter::kParticipantGuid:
+    case parameter::kKeyHash:
+      return readGuid(value, sample);
+    case parameter::kEndpointGuid:
+      return sample.isOfParticipant() || readGuid(value, sample);
+    case parameter::kLease:
+      return readLease(reading, static_cast<std::size_t>(value.data() - whole.data()), sample);
+    case parameter::kDefaultUnicast:
+    case parameter::kMetatrafficUnicast:
+      return readAddress(reading, id == parameter::kMetatrafficUnicast, sample);
+    case parameter::kEndpoints:
+      sample.announcesItself = value.size() == 4 && (reading.number(4) & kAnnouncer) != 0;
+      return sample.announcesItself || !sample.isOfParticipant();
+    default:
+      return true;
+  }
+}
+
+/// Reads a parameter that precedes what describes it (RTPS 2.3, 9.6.3): whose it is, and whether it has gone.
+bool readInlineParameter(std::uint64_t id, std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
+  constexpr std::uint8_t kDisposedOrUnregistered = 3;
+  if (id == parameter::kKeyHash) return readGuid(value, sample);
+  if (id != parameter::kStatus) return true;
+  if (value.size() != 4) return false;
+  sample.isGone = sample.isGone || (value[3] >= 1 && value[3] <= kDisposedOrUnregistered);
+  return true;
+}
+
+/// Reads a list of parameters up to its end.
+/// @param take Called with the id and the value of each; returns whether it is as it should be.
+template <class Take>
+bool readParameters(Reading& list, const Take& take) {
   while (true) {
     const std::uint64_t id = list.number(2);
     const std::uint64_t length = list.number(2);
     if (id == parameter::kSentinel) return list.isGood();
     const auto value = list.take(length);
-    if (!list.isGood()) return false;
-    Reading reading(value, sample.isLittleEndian);
-    if (id == parameter::kParticipantGuid || id == parameter::kEndpointGuid || id == parameter::kKeyHash) {
-      if (!takeGuid(value, sample)) return false;
-    } else if (id == parameter::kLease) {
-      if (length != 8) return false;
-      sample.leaseAt = static_cast<std::size_t>(value.data() - whole.data());
-    } else if (id == parameter::kDefaultUnicast || id == parameter::kMetatrafficUnicast) {
-      const bool isUdp = reading.number(4) == kUdpV4;
-      const auto port = static_cast<std::uint32_t>(reading.number(4));
-      reading.take(12);
-      const RtpsAddress address{reading.entity(), port};
-      if (!reading.isGood()) return false;
-      if (isUdp) sample.addresses.push_back(address);
-      if (isUdp && id == parameter::kMetatrafficUnicast) sample.discoveryAddresses.push_back(address);
-    }
+    // the next one is at a multiple of four
+    list.take((4 - length % 4) % 4);
+    if (!list.isGood() || !take(id, value)) return false;
   }
 }
 
@@ -140,49 +185,59 @@ bool isDiscovery(RtpsEntity writer) {
   return writer == kSpdpWriter || writer == kPublicationsWriter || writer == kSubscriptionsWriter;
 }
 
-/// Reads DATA.
-bool readData(Reading body, std::uint8_t flags, std::span<const std::uint8_t> whole, RtpsMessage& message) {
+/// Reads what describes a participant or an endpoint, or its key.
+bool readDescription(Reading body, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
+  constexpr std::uint8_t kBigList = 2, kLittleList = 3;
+  const auto kind = body.take(kEncapsulation);
+  if (!body.isGood() || kind[0] != 0 || (kind[1] != kBigList && kind[1] != kLittleList)) return false;
+  sample.isLittleEndian = kind[1] == kLittleList;
+  Reading list(body.rest(), sample.isLittleEndian);
+  return readParameters(list,
+                        [&](std::uint64_t id, const auto& value) { return readParameter(id, value, whole, sample); });
+}
+
+/// Reads DATA of discovery behind its sequence number.
+bool readDiscovery(Reading body, std::uint8_t flags, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
   constexpr std::uint8_t kInlineQos = 2, kWithData = 4, kWithKey = 8;
-  constexpr std::size_t kLongestKey = 16;
+  const auto take = [&](std::uint64_t id, const auto& value) { return readInlineParameter(id, value, sample); };
+  if ((flags & kInlineQos) != 0 && !readParameters(body, take)) return false;
+  const bool isWithData = (flags & kWithData) != 0, isWithKey = (flags & kWithKey) != 0;
+  sample.isAlive = isWithData && !sample.isGone;
+  // Fast DDS takes so short a key for whose the sample is, whatever the list says
+  if (isWithKey && body.rest().size() <= kGuidSize) return !isWithData && readGuid(body.rest(), sample);
+  return (!isWithData && !isWithKey) || readDescription(body, whole, sample);
+}
+
+/// Reads DATA.
+bool readData(Reading body, const Submessage& data, const RtpsPrefix& sender, std::span<const std::uint8_t> whole,
+              RtpsMessage& message) {
   constexpr std::uint64_t kUpToInlineQos = 16;
   body.take(2);
   const std::uint64_t toInlineQos = body.number(2);
   body.take(4);
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
-  if (!body.isGood() || number == 0 || number > kLastNumber) return false;
+  const bool isGood = body.isGood() && number > 0 && number <= kLastNumber;
   if (!isDiscovery(writer)) {
     ++message.others;
-    return true;
+    return isGood;
   }
-  // parameters of its own before the list are of no version that there is
-  if (toInlineQos != kUpToInlineQos) return false;
   RtpsDiscovery sample;
   sample.writer = writer;
   sample.sequence = number;
-  sample.isLittleEndian = (flags & kLittle) != 0;
-  sample.isAlive = (flags & kWithData) != 0;
+  sample.sender = sender;
+  sample.isLittleEndian = data.isLittleEndian();
   sample.bytes = body.rest().size();
-  if ((flags & kInlineQos) != 0 && !readParameters(body, whole, sample)) return false;
-  // Fast DDS takes so short a key for whose the sample is, whatever the list says
-  if ((flags & kWithKey) != 0 && body.rest().size() <= kLongestKey) {
-    if (sample.isAlive || !takeGuid(body.rest(), sample)) return false;
-  }
-  // it is read from what follows alone
-  sample.leaseAt.reset();
-  if (sample.isAlive) {
-    constexpr std::uint8_t kBigList = 2, kLittleList = 3;
-    const auto kind = body.take(kEncapsulation);
-    if (!body.isGood() || kind[0] != 0 || (kind[1] != kBigList && kind[1] != kLittleList)) return false;
-    sample.isLittleEndian = kind[1] == kLittleList;
-    Reading list(body.rest(), sample.isLittleEndian);
-    if (!readParameters(list, whole, sample)) return false;
+  // no version of the protocol has parameters of its own before the list
+  if (!isGood || toInlineQos != kUpToInlineQos || !readDiscovery(body, data.flags, whole, sample)) {
+    message.hasUnreadParticipant |= writer == kSpdpWriter;
+    return false;
   }
   message.discovery.push_back(std::move(sample));
   return true;
 }
 
-bool readDataFrag(Reading body) {
+bool readDataFrag(Reading body, RtpsMessage& message) {
   body.take(8);
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
@@ -190,9 +245,10 @@ bool readDataFrag(Reading body) {
   const std::uint64_t count = body.number(2);
   const std::uint64_t size = body.number(2);
   const std::uint64_t whole = body.number(4);
+  message.hasUnreadParticipant |= writer == kSpdpWriter;
+  message.largestFragmented = std::max(message.largestFragmented, whole);
   if (!body.isGood() || isDiscovery(writer) || number == 0 || number > kLastNumber) return false;
-  return first > 0 && count > 0 && size > 0 && whole <= payloadSize(kMaximumMessage) &&
-         (first + count - 2) * size < whole;
+  return first > 0 && count > 0 && size > 0 && (first + count - 2) * size < whole;
 }
 
 bool readHeartbeat(Reading body, RtpsMessage& message) {
@@ -220,7 +276,7 @@ bool readGap(Reading body, RtpsMessage& message) {
 }
 
 /// Reads ACKNACK or, of fragments, NACK_FRAG.
-bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
+bool readAcknowledgement(Reading body, bool isFragments, RtpsMessage& message) {
   constexpr std::uint64_t kLastCount = 0x7fff'ffff;
   const RtpsEntity reader = body.entity();
   const RtpsEntity writer = body.entity();
@@ -228,7 +284,7 @@ bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
   if (isFragments) body.take(4);
   const std::uint64_t bits = body.number(4);
   if (!body.isGood() || number > kLastNumber || bits > kMostInSet) return false;
-  if (bits > 0) ++message.wishes;
+  if (bits > 0) ++message.repeatRequests;
   if (isFragments || !isDiscovery(writer)) return true;
   body.take((bits + 31) / 32 * 4);
   const std::uint64_t count = body.number(4);
@@ -243,27 +299,34 @@ bool isAboutMessage(std::uint8_t kind) {
          kind >= submessage::kFirstOfVendors;
 }
 
-bool readSubmessage(std::uint8_t kind, std::uint8_t flags, Reading body, std::span<const std::uint8_t> whole,
+/// @param sender Whose it is; INFO_SRC changes it.
+/// @return Whether it is proper.
+bool readSubmessage(const Submessage& part, RtpsPrefix& sender, std::span<const std::uint8_t> whole,
                     RtpsMessage& message) {
-  if (kind != submessage::kData && kind != submessage::kHeartbeat && !isAboutMessage(kind)) ++message.others;
-  switch (kind) {
+  Reading body(part.content, part.isLittleEndian());
+  if (part.kind != submessage::kData && part.kind != submessage::kHeartbeat && !isAboutMessage(part.kind)) {
+    ++message.others;
+  }
+  switch (part.kind) {
     case submessage::kData:
-      return readData(body, flags, whole, message);
+      return readData(body, part, sender, whole, message);
     case submessage::kDataFrag:
-      return readDataFrag(body);
+      return readDataFrag(body, message);
     case submessage::kHeartbeat:
       return readHeartbeat(body, message);
     case submessage::kGap:
       return readGap(body, message);
     case submessage::kAckNack:
     case submessage::kNackFrag:
-      return readWish(body, kind == submessage::kNackFrag, message);
+      return readAcknowledgement(body, part.kind == submessage::kNackFrag, message);
     case submessage::kInfoDst:
       message.isAddressed |= prefixIn(body.rest()).value_or(RtpsPrefix{}) != RtpsPrefix{};
       return true;
     case submessage::kInfoSrc:
       body.take(8);
-      return prefixIn(body.rest()) == message.source;
+      sender = prefixIn(body.rest()).value_or(RtpsPrefix{});
+      if (sender != message.source) message.otherSources.push_back(sender);
+      return sender == message.source;
     default:
       return true;
   }
@@ -271,25 +334,29 @@ bool readSubmessage(std::uint8_t kind, std::uint8_t flags, Reading body, std::sp
 
 }  // namespace
 
-std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::uint8_t, 5> kBeginning = {'R', 'T', 'P', 'S', 2};
-  if (bytes.size() < kHeader || !std::equal(kBeginning.begin(), kBeginning.end(), bytes.begin())) return std::nullopt;
+std::optional<RtpsMessage> readAnyRtpsMessage(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kVersion = 4, kInfoSourceSize = 20;
+  if (!isRtpsMessage(bytes)) return std::nullopt;
   RtpsMessage message;
   message.source = *prefixIn(bytes.subspan(8));
-  auto rest = bytes.subspan(kHeader);
-  while (!rest.empty()) {
-    if (rest.size() < kSubmessageHeader) return std::nullopt;
-    const std::uint8_t kind = rest[0];
-    const std::uint8_t flags = rest[1];
-    const bool isLittleEndian = (flags & 1) != 0;
-    std::size_t length = Reading(rest.subspan(2), isLittleEndian).number(2);
-    rest = rest.subspan(kSubmessageHeader);
-    // the last one may say nothing of its length
-    if (length == 0 && kind != submessage::kInfoTs && kind != submessage::kPad) length = rest.size();
-    if (length > rest.size()) return std::nullopt;
-    if (!readSubmessage(kind, flags, Reading(rest.first(length), isLittleEndian), bytes, message)) return std::nullopt;
-    rest = rest.subspan(std::min(rest.size(), (length + 3) / 4 * 4));
+  message.isProper = bytes[kVersion] == 2;
+  RtpsPrefix sender = message.source;
+  Submessages parts(bytes);
+  while (const auto part = parts.next()) {
+    // Fast DDS ends here, too
+    if (part->kind == submessage::kInfoSrc && part->content.size() != kInfoSourceSize) {
+      message.isProper = false;
+      break;
+    }
+    message.isProper &= readSubmessage(*part, sender, bytes, message);
   }
+  message.isProper &= !parts.isCutOff();
+  return message;
+}
+
+std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes) {
+  std::optional<RtpsMessage> message = readAnyRtpsMessage(bytes);
+  if (message && !message->isProper) message.reset();
   return message;
 }
 
@@ -312,6 +379,22 @@ std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant
   return message.take();
 }
 
+std::vector<std::uint8_t> goodbyeBy(const RtpsPrefix& participant, std::uint64_t number) {
+  constexpr std::uint8_t kInlineQos = 2, kDisposedAndUnregistered = 3;
+  Writing message(participant);
+  // without a length, for it is the last one
+  message.add({submessage::kData, kLittle | kInlineQos, 0, 0, 0, 0, 16, 0});
+  message.addEntity(readerOf(kSpdpWriter));
+  message.addEntity(kSpdpWriter);
+  message.addSequence(kLastNumber + number);
+  message.add({parameter::kKeyHash, 0, kGuidSize, 0});
+  message.add(participant);
+  message.addEntity(kParticipant);
+  message.add({parameter::kStatus, 0, 4, 0, 0, 0, 0, kDisposedAndUnregistered});
+  message.add({parameter::kSentinel, 0, 0, 0});
+  return message.take();
+}
+
 std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
                                             std::span<const RtpsAcknowledgement> acknowledgements) {
   constexpr std::uint8_t kFinal = 2, kLength = 24;
@@ -327,4 +410,4 @@ std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
   return message.take();
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

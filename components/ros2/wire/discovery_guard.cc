@@ -1,0 +1,63 @@
+#include "ros2/wire/discovery_guard.hh"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace pongsim::ros2 {
+
+namespace {
+
+// More than can be announced.
+constexpr std::chrono::hours kForever{24 * 365 * 140};
+// Fast DDS 2.9 makes nothing of Cyclone's goodbye: it hears another at once.
+constexpr std::chrono::nanoseconds kAtOnce{0};
+
+/// @return Whether Fast DDS finds nothing in it of participants that was not found here, and hears of each when it
+/// ends.
+bool isUnderstood(const shared::RtpsMessage& message) {
+  return !message.hasUnreadParticipant && std::ranges::all_of(message.discovery, [](const auto& sample) {
+    return !sample.isOfParticipant() || sample.isGone ||
+           (sample.isAlive && sample.prefix && sample.lease && sample.announcesItself);
+  });
+}
+
+}  // namespace
+
+DiscoveryGuard::DiscoveryGuard() : leases_({std::chrono::nanoseconds(0), kForever, kAtOnce}) {}
+
+void DiscoveryGuard::receive(std::span<std::uint8_t> packet, TimePoint now, const HandOn& handOn) {
+  const std::optional<shared::RtpsMessage> message = shared::readAnyRtpsMessage(packet);
+  if (!message || !isUnderstood(*message)) return;
+  std::unique_lock turn(turn_, std::defer_lock);
+  if (std::ranges::any_of(message->discovery, &shared::RtpsDiscovery::isOfParticipant)) turn.lock();
+  {
+    const std::lock_guard lock(mutex_);
+    if (!leases_.hear(*message, packet, now)) return;
+  }
+  handOn(packet);
+}
+
+DiscoveryGuard::TimePoint DiscoveryGuard::end(TimePoint now, const HandOn& handOn) {
+  const std::lock_guard turn(turn_);
+  std::vector<std::vector<std::uint8_t>> goodbyes;
+  TimePoint next;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& ending : leases_.endings(now)) {
+      goodbyes.push_back(shared::goodbyeBy(ending.prefix, ++goodbyes_));
+      leases_.removed(ending.prefix);
+    }
+    next = leases_.nextLook(now);
+  }
+  for (const std::vector<std::uint8_t>& each : goodbyes) handOn(each);
+  return next;
+}
+
+std::size_t DiscoveryGuard::size() const {
+  const std::lock_guard lock(mutex_);
+  return leases_.size();
+}
+
+}  // namespace pongsim::ros2
