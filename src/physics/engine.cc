@@ -29,15 +29,14 @@ namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
   Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld,
-        CollisionConfiguration& configuration, base::Arena& arenaOfWorld, std::shared_ptr<btRigidBody> fixed)
+        CollisionConfiguration& configuration, base::Arena& arenaOfWorld)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
         hulls(hullsOfWorld),
         arena(arenaOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
-        world(settings, configuration, arena, *this),
-        anchor(std::move(fixed)) {
+        world(settings, configuration, arena, *this) {
     world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
     grow();
   }
@@ -55,9 +54,15 @@ struct Engine::Parts final : GroupWork {
   void grow();
   void prepareHulls();
   void addJoints();
+  /// Makes room for what `remove` gathers, which must not allocate.
+  void makeRoom();
+  /// Removes the bodies and joints from these slots on, of which some may be known only in part. Does not allocate.
+  void shorten(world::Slot links, world::Slot joints, std::size_t movingLinks) noexcept;
   void remove(const world::Removal& removal);
+  void setAside(const world::Entities::Switched& switched);
+  void transferKeptTouches(StateArchive& archive);
   /// Takes the bodies of these links out of the world.
-  void takeOut(const std::vector<world::Slot>& links);
+  void takeOut(std::span<const world::Slot> links);
   /// Tells bodies and joints of their slots, and the world of who moves.
   void renumber();
   /// As `renumber`, where nothing before these has changed.
@@ -79,8 +84,8 @@ struct Engine::Parts final : GroupWork {
   Vector3 gravity;
   ContactFilter filter;
   DynamicsWorld world;
-  /// What joints to the world hold on to; those that are set aside, too, while all else is made anew.
-  const std::shared_ptr<btRigidBody> anchor;
+  /// What joints to the world hold on to.
+  btRigidBody anchor{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};
   /// One a link, in the order of their slots.
   std::vector<base::Arena::Pointer<Body>> bodies;
   std::vector<Body*> moving;
@@ -89,6 +94,21 @@ struct Engine::Parts final : GroupWork {
   /// For each joint, how many constraints the world has of those up to it.
   std::vector<std::size_t> holdingEnd;
   FrictionFrames frictionFrames;
+  /// The contacts of two links of which one, or both, are set aside.
+  struct KeptTouch {
+    LinkId linkA;
+    LinkId linkB;
+    ManifoldPoints points;
+  };
+  std::vector<KeptTouch> keptTouches;
+  /// Room for what is gathered while bodies go.
+  struct Scratch {
+    std::vector<btRigidBody*> freed;
+    std::vector<btRigidBody*> bodies;
+    std::vector<btTypedConstraint*> joints;
+    std::vector<base::Arena::Pointer<Body>> gone;
+  };
+  Scratch scratch;
   /// Length of the last step [s].
   double dt = 1;
 
@@ -100,27 +120,7 @@ struct Engine::Parts final : GroupWork {
   std::atomic<world::Slot> slowedDown = world::kNoSlot;
 };
 
-/// One of two parts that touched, or both, are set aside.
-struct KeptTouch {
-  LinkId linkA;
-  LinkId linkB;
-  ManifoldPoints points;
-};
-
-struct SetAside::Content {
-  std::shared_ptr<base::Arena> arena;
-  std::shared_ptr<btRigidBody> anchor;
-  std::vector<base::Arena::Pointer<Body>> bodies;
-  // behind the bodies, on which they hold
-  std::vector<base::Arena::Pointer<Joint>> joints;
-  std::vector<KeptTouch> touches;
-};
-
 namespace {
-
-std::shared_ptr<btRigidBody> makeAnchor() {
-  return std::make_shared<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr));
-}
 
 void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
   world::Slot before = first;
@@ -157,23 +157,56 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
 
 void Engine::Parts::grow() {
   prepareHulls();
+  makeRoom();
   const world::Slot firstLink = bodies.size(), firstJoint = joints.size();
-  std::vector<base::Arena::Pointer<Body>> newBodies;
-  for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
-    newBodies.push_back(arena.make<Body>(entities, link, gravity, hulls, shared));
+  const std::size_t movingBefore = moving.size();
+  try {
+    for (world::Slot link = firstLink; link < entities.links().size(); ++link) {
+      bodies.push_back(arena.make<Body>(entities, link, gravity, hulls, shared));
+    }
+    // before a body comes: who may touch it is asked then
+    filter.grow(entities.joints().size());
+    for (world::Slot link = firstLink; link < bodies.size(); ++link) take(*bodies[link]);
+    addJoints();
+    renumberFrom(firstLink, firstJoint);
+    frictionFrames.find(bodies, firstLink, entities);
+  } catch (...) {
+    shorten(firstLink, firstJoint, movingBefore);
+    throw;
   }
-  // before a body comes: who may touch it is asked then
-  filter.grow();
-  for (auto& body : newBodies) {
-    take(*body);
-    bodies.push_back(std::move(body));
+  // last, for it loses contacts
+  for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
+    world.separate(joints[slot]->getRigidBodyA(), joints[slot]->getRigidBodyB());
   }
-  addJoints();
-  renumberFrom(firstLink, firstJoint);
-  frictionFrames.find(bodies, firstLink, entities);
+}
+
+void Engine::Parts::makeRoom() {
+  const auto reserve = [](auto& array, std::size_t count) {
+    if (array.capacity() < count) array.reserve(std::max(count, 2 * array.capacity()));
+  };
+  reserve(scratch.freed, 2 * entities.joints().size());
+  reserve(scratch.bodies, entities.links().size());
+  // a gearbox counts twice
+  reserve(scratch.joints, 2 * entities.joints().size());
+  reserve(scratch.gone, entities.links().size());
+}
+
+void Engine::Parts::shorten(world::Slot links, world::Slot jointCount, std::size_t movingLinks) noexcept {
+  frictionFrames.removeFrom(links);
+  scratch.bodies.clear();
+  for (world::Slot link = links; link < bodies.size(); ++link) {
+    if (bodies[link]->rigid().getBroadphaseHandle() != nullptr) scratch.bodies.push_back(&bodies[link]->rigid());
+  }
+  world.bullet().remove(scratch.bodies);
+  moving.resize(std::min(moving.size(), movingLinks));
+  joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(jointCount), joints.end());
+  bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(links), bodies.end());
+  renumberFrom(links, jointCount);
+  filter.update(jointCount);
 }
 
 void Engine::Parts::take(Body& body) {
+  if (entities.links()[body.link()].isSetAside) return;
   if (body.moves() || body.collides()) world.add(body.rigid(), body.id().value);
 }
 
@@ -196,12 +229,12 @@ void Engine::Parts::addJoints() {
     joints.push_back(arena.make<Joint>(description, end(record.parentLink, description.X_ParentJoint),
                                        end(record.childLink, description.X_ChildJoint),
                                        end(record.referenceLink, description.X_ReferenceJoint)));
-    world.separate(joints.back()->getRigidBodyA(), joints.back()->getRigidBodyB());
   }
 }
 
 void Engine::Parts::remove(const world::Removal& removal) {
-  std::vector<btRigidBody*> freed;
+  std::vector<btRigidBody*>& freed = scratch.freed;
+  freed.clear();
   for (const world::Slot slot : removal.joints) {
     freed.push_back(&joints[slot]->getRigidBodyA());
     freed.push_back(&joints[slot]->getRigidBodyB());
@@ -209,27 +242,77 @@ void Engine::Parts::remove(const world::Removal& removal) {
   takeOut(removal.links);
   frictionFrames.remove(removal.links);
   world::eraseSlots(joints, removal.joints);
+  std::erase_if(keptTouches, [&](const KeptTouch& touch) {
+    return std::ranges::any_of(removal.links, [&](world::Slot link) {
+      return bodies[link]->id() == touch.linkA || bodies[link]->id() == touch.linkB;
+    });
+  });
   // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
-  std::vector<base::Arena::Pointer<Body>> gone;
-  for (const world::Slot slot : removal.links) gone.push_back(std::move(bodies[slot]));
+  for (const world::Slot slot : removal.links) scratch.gone.push_back(std::move(bodies[slot]));
   world::eraseSlots(bodies, removal.links);
   renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
                removal.joints.empty() ? joints.size() : removal.joints.front());
-  filter.update();
+  filter.update(joints.size());
   std::erase_if(freed, [](const btRigidBody* body) { return body->getBroadphaseHandle() == nullptr; });
   std::ranges::sort(freed, {}, [this](const btRigidBody* body) { return bodyOf(*body).link(); });
   const auto repeated = std::ranges::unique(freed);
   freed.erase(repeated.begin(), repeated.end());
   for (btRigidBody* body : freed) world.findPairsOf(*body);
+  scratch.gone.clear();
 }
 
-void Engine::Parts::takeOut(const std::vector<world::Slot>& links) {
-  std::vector<btRigidBody*> present;
+void Engine::Parts::takeOut(std::span<const world::Slot> links) {
+  scratch.bodies.clear();
   for (const world::Slot link : links) {
     btRigidBody& rigid = bodies[link]->rigid();
-    if (rigid.getBroadphaseHandle() != nullptr) present.push_back(&rigid);
+    if (rigid.getBroadphaseHandle() != nullptr) scratch.bodies.push_back(&rigid);
   }
-  world.bullet().remove(present);
+  world.bullet().remove(scratch.bodies);
+}
+
+void Engine::Parts::setAside(const world::Entities::Switched& switched) {
+  std::vector<ManifoldPoints> touches;
+  for (ManifoldPoints& points : listManifolds(world.dispatcher())) {
+    const auto a = static_cast<world::Slot>(points.linkA), b = static_cast<world::Slot>(points.linkB);
+    if (entities.links()[a].isSetAside || entities.links()[b].isSetAside) {
+      keptTouches.push_back({bodies[a]->id(), bodies[b]->id(), std::move(points)});
+    } else {
+      touches.push_back(std::move(points));
+    }
+  }
+  takeOut(switched.setAside);
+  for (const world::Slot link : switched.returned) {
+    bodies[link]->setGravity(gravity);
+    take(*bodies[link]);
+  }
+  renumber();
+  if (switched.returned.empty()) return;
+  std::erase_if(keptTouches, [&](KeptTouch& touch) {
+    const world::Slot a = entities.slot(touch.linkA), b = entities.slot(touch.linkB);
+    if (a == world::kNoSlot || b == world::kNoSlot) return false;
+    touch.points.linkA = static_cast<int>(a);
+    touch.points.linkB = static_cast<int>(b);
+    touches.push_back(std::move(touch.points));
+    return true;
+  });
+  world.findTouches();
+  restoreManifolds(touches, world.dispatcher());
+}
+
+void Engine::Parts::transferKeptTouches(StateArchive& archive) {
+  std::size_t count = keptTouches.size();
+  archive(count);
+  if (archive.isGiving()) keptTouches.resize(std::min(count, archive.rest().size()));
+  for (KeptTouch& touch : keptTouches) {
+    // ids may be others in another run
+    for (LinkId* id : {&touch.linkA, &touch.linkB}) {
+      const auto found = std::ranges::lower_bound(bodies, *id, {}, [](const auto& body) { return body->id(); });
+      auto slot = static_cast<std::uint64_t>(found - bodies.begin());
+      archive(slot);
+      if (archive.isGiving()) *id = slot < bodies.size() ? bodies[slot]->id() : LinkId();
+    }
+    archive(touch.points);
+  }
 }
 
 void Engine::Parts::renumber() {
@@ -243,10 +326,11 @@ void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) 
   const auto kept = std::ranges::lower_bound(moving, firstLink, {}, &Body::link);
   const auto firstMember = static_cast<std::size_t>(kept - moving.begin());
   moving.erase(kept, moving.end());
-  std::vector<btRigidBody*> members;
+  std::vector<btRigidBody*>& members = scratch.bodies;
+  members.clear();
   for (world::Slot link = firstLink; link < bodies.size(); ++link) {
     bodies[link]->setLink(link);
-    if (!bodies[link]->moves()) continue;
+    if (!bodies[link]->moves() || entities.links()[link].isSetAside) continue;
     moving.push_back(bodies[link].get());
     members.push_back(&bodies[link]->rigid());
   }
@@ -255,9 +339,10 @@ void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) 
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) joints[slot]->setSlot(slot);
   const std::size_t firstHolding = firstJoint == 0 ? 0 : holdingEnd[firstJoint - 1];
   holdingEnd.resize(firstJoint);
-  std::vector<btTypedConstraint*> holding;
+  std::vector<btTypedConstraint*>& holding = scratch.joints;
+  holding.clear();
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
-    if (joints[slot]->holdsSomething()) {
+    if (joints[slot]->holdsSomething() && !entities.joints()[slot].isSetAside) {
       holding.push_back(joints[slot].get());
       if (btTypedConstraint* reference = joints[slot]->reference()) holding.push_back(reference);
     }
@@ -267,7 +352,7 @@ void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) 
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
-  if (link == world::kNoSlot) return {anchor.get(), toBullet(X_LinkJoint), false};
+  if (link == world::kNoSlot) return {&anchor, toBullet(X_LinkJoint), false};
   Body& body = *bodies[link];
   return {&body.rigid(), toBullet(body.X_LinkBody().inverse() * X_LinkJoint), body.moves()};
 }
@@ -289,8 +374,8 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 Engine::Engine(const world::Entities& entities, const Settings& settings)
     : hulls_(std::make_unique<HullStore>(settings.hullCache)),
       configuration_(std::make_unique<CollisionConfiguration>()),
-      arena_(std::make_shared<base::Arena>()),
-      parts_(std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_, makeAnchor())) {
+      arena_(std::make_unique<base::Arena>()),
+      parts_(std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_)) {
   combineSurfacesAsFortress();
 }
 
@@ -343,9 +428,8 @@ void Engine::reset() {
   // by and by: two of them take twice the memory
   const world::Entities& entities = parts_->entities;
   const Settings settings = parts_->settings;
-  std::shared_ptr<btRigidBody> anchor = parts_->anchor;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_, std::move(anchor));
+  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_);
 }
 
 void Engine::setGravity(const Vector3& gravity) {
@@ -370,6 +454,7 @@ void Engine::transfer(StateArchive& archive) {
     for (const auto& body : parts_->bodies) parts_->world.moved(body->rigid());
   }
   parts_->world.transferContacts(archive);
+  parts_->transferKeptTouches(archive);
 }
 
 void Engine::step(Time dt, world::State& state) {
@@ -415,92 +500,6 @@ bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[join
 
 void Engine::releaseJoint(world::Slot joint) { parts_->joints[joint]->release(); }
 
-std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
-  Parts& parts = *parts_;
-  std::vector<SetAside> result(groups.links.size());
-  std::vector<std::size_t> groupOf(parts.bodies.size(), result.size());
-  for (std::size_t group = 0; group < result.size(); ++group) {
-    result[group].content_ = std::make_unique<SetAside::Content>();
-    result[group].content_->arena = arena_;
-    result[group].content_->anchor = parts.anchor;
-    for (const world::Slot link : groups.links[group]) groupOf[link] = group;
-  }
-  for (const ManifoldPoints& points : listManifolds(parts.world.dispatcher())) {
-    const auto a = static_cast<world::Slot>(points.linkA), b = static_cast<world::Slot>(points.linkB);
-    for (const std::size_t group : {groupOf[a], groupOf[b] == groupOf[a] ? result.size() : groupOf[b]}) {
-      if (group == result.size()) continue;
-      result[group].content_->touches.push_back({parts.bodies[a]->id(), parts.bodies[b]->id(), points});
-    }
-  }
-  std::vector<world::Slot> going;
-  for (world::Slot link = 0; link < parts.bodies.size(); ++link) {
-    if (groupOf[link] != result.size()) going.push_back(link);
-  }
-  parts.takeOut(going);
-  auto bodies = world::takeSlots(parts.bodies, groups.links);
-  auto joints = world::takeSlots(parts.joints, groups.joints);
-  for (std::size_t group = 0; group < result.size(); ++group) {
-    result[group].content_->bodies = std::move(bodies[group]);
-    result[group].content_->joints = std::move(joints[group]);
-  }
-  parts.renumber();
-  parts.filter.update();
-  return result;
-}
-
-void Engine::bringBack(const world::GroupSlots& groups, std::vector<SetAside> parts) {
-  std::vector<std::vector<base::Arena::Pointer<Body>>> bodies;
-  std::vector<std::vector<base::Arena::Pointer<Joint>>> joints;
-  std::vector<KeptTouch> touches;
-  for (SetAside& part : parts) {
-    bodies.push_back(std::move(part.content_->bodies));
-    joints.push_back(std::move(part.content_->joints));
-    std::ranges::move(part.content_->touches, std::back_inserter(touches));
-  }
-  world::giveSlots(parts_->bodies, groups.links, bodies);
-  world::giveSlots(parts_->joints, groups.joints, joints);
-  // before a body comes: who may touch it is asked then
-  for (world::Slot link = 0; link < parts_->bodies.size(); ++link) parts_->bodies[link]->setLink(link);
-  parts_->filter.update();
-  std::vector<ManifoldPoints> all = listManifolds(parts_->world.dispatcher());
-  for (const std::vector<world::Slot>& group : groups.links) {
-    for (const world::Slot link : group) {
-      parts_->bodies[link]->setGravity(parts_->gravity);
-      parts_->take(*parts_->bodies[link]);
-    }
-  }
-  parts_->renumber();
-  for (KeptTouch& touch : touches) {
-    const world::Slot a = parts_->entities.slot(touch.linkA), b = parts_->entities.slot(touch.linkB);
-    if (a == world::kNoSlot || b == world::kNoSlot) continue;
-    touch.points.linkA = static_cast<int>(a);
-    touch.points.linkB = static_cast<int>(b);
-    all.push_back(std::move(touch.points));
-  }
-  parts_->world.findTouches();
-  restoreManifolds(all, parts_->world.dispatcher());
-}
-
-SetAside::SetAside() = default;
-SetAside::~SetAside() = default;
-SetAside::SetAside(SetAside&&) noexcept = default;
-SetAside& SetAside::operator=(SetAside&&) noexcept = default;
-
-void SetAside::transfer(StateArchive& archive, std::span<const LinkId> links) {
-  for (const auto& body : content_->bodies) body->transfer(archive);
-  for (const auto& joint : content_->joints) joint->transfer(archive);
-  std::size_t count = content_->touches.size();
-  archive(count);
-  if (archive.isGiving()) content_->touches.resize(std::min(count, archive.rest().size()));
-  for (KeptTouch& touch : content_->touches) {
-    // ids may be others in another run
-    for (LinkId* id : {&touch.linkA, &touch.linkB}) {
-      auto number = static_cast<std::uint64_t>(std::ranges::lower_bound(links, *id) - links.begin());
-      archive(number);
-      if (archive.isGiving()) *id = number < links.size() ? links[number] : LinkId();
-    }
-    archive(touch.points);
-  }
-}
+void Engine::setAside(const world::Entities::Switched& switched) { parts_->setAside(switched); }
 
 }  // namespace pongsim::physics

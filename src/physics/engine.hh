@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,25 +22,6 @@ namespace pongsim::physics {
 
 class CollisionConfiguration;
 class HullStore;
-
-/// The bodies and joints of a group of entities that is set aside, with their contacts and full state. Must not outlive
-/// the `entities` of its engine.
-class SetAside {
- public:
-  SetAside();
-  ~SetAside();
-  SetAside(SetAside&&) noexcept;
-  SetAside& operator=(SetAside&&) noexcept;
-
-  /// Saves or restores its state.
-  /// @param links All links of the world, in ascending order; they may be in contact with these.
-  void transfer(StateArchive& archive, std::span<const LinkId> links);
-
- private:
-  friend class Engine;
-  struct Content;
-  std::unique_ptr<Content> content_;
-};
 
 /// Bodies, joints and contacts, and one step of them. Reads the description from `entities`, which must outlive it. No
 /// Bullet types are visible.
@@ -96,7 +76,8 @@ class Engine {
   /// @throws std::invalid_argument like the constructor; then nothing is changed.
   void grow();
 
-  /// Removes what was removed from `entities`. Its descriptions must live until then.
+  /// Removes what was removed from `entities`. Its descriptions must live until then. Does not allocate, so that it
+  /// can't fail halfway.
   void remove(const world::Removal& removal);
 
   /// Recreates everything from `entities`, as at the start.
@@ -135,20 +116,19 @@ class Engine {
   /// Sets the slip of a collision along its friction directions [m/s/N], finite and not negative.
   void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
   std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
-  /// Removes groups of bodies and joints with their state. Call it after `entities` has set them aside.
-  std::vector<SetAside> setAside(const world::GroupSlots& groups);
 
-  /// Returns groups with their poses and state, after `entities` has returned them. Contacts that still exist start
-  /// with their former forces, so a group in contact only with things that have not moved continues with the same bits.
-  void bringBack(const world::GroupSlots& groups, std::vector<SetAside> parts);
+  /// Takes links and their joints out of all steps, or back into them, after `entities` has set them aside or returned
+  /// them. They keep their state. Contacts that still exist on return start with their former forces, so that links in
+  /// contact only with others that have not moved continue with the same bits.
+  void setAside(const world::Entities::Switched& switched);
 
  private:
   struct Parts;
   /// Of meshes; kept when everything else is recreated.
   std::unique_ptr<HullStore> hulls_;
   std::unique_ptr<CollisionConfiguration> configuration_;
-  /// Of bodies, joints and contacts. Those that are set aside hold it, too.
-  std::shared_ptr<base::Arena> arena_;
+  /// Of bodies, joints and contacts.
+  std::unique_ptr<base::Arena> arena_;
   std::unique_ptr<Parts> parts_;
 };
 

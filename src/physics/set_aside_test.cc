@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "physics/engine.hh"
@@ -12,7 +14,6 @@
 namespace pongsim::physics {
 namespace {
 
-using world::Roots;
 using world::Slot;
 
 description::Model shelfBox(const std::string& name, const Pose& pose) {
@@ -34,52 +35,34 @@ description::World towers() {
   return world;
 }
 
-struct Shelf {
-  world::Departure departure;
-  std::vector<SetAside> bodies;
-  std::vector<world::StatePart> state;
-};
-
-Shelf setAside(test::Rig& rig, const std::vector<Roots>& groups) {
-  Shelf shelf;
-  shelf.departure = rig.entities.setAside(groups);
-  shelf.bodies = rig.engine.setAside(shelf.departure.slots);
-  shelf.state = rig.state.setAside(shelf.departure.slots);
-  return shelf;
-}
-
-void bringBack(test::Rig& rig, Shelf shelf) {
-  const world::GroupSlots slots = rig.entities.bringBack(std::move(shelf.departure.groups));
-  rig.engine.bringBack(slots, std::move(shelf.bodies));
-  rig.state.bringBack(slots, std::move(shelf.state));
-}
-
-Roots tower(const test::Rig& rig, int first) {
-  Roots roots;
-  for (int i = first; i < 6; i += 2) {
-    roots.models.push_back(rig.entities.findModel("box" + std::to_string(i)));
+/// Sets the models of these names aside and returns all others.
+void setAside(test::Rig& rig, const std::vector<std::string>& models) {
+  std::vector<std::uint64_t> ids;
+  for (const world::ModelRecord& model : rig.entities.models()) {
+    if (std::ranges::find(models, model.scopedName) != models.end()) ids.push_back(model.id.value);
   }
-  return roots;
+  rig.engine.setAside(rig.entities.setAside(ids));
 }
 
-const world::LinkState& boxState(const test::Rig& rig, int box) {
-  return rig.state.links[rig.entities.findLink("box" + std::to_string(box) + "::link")];
-}
+const std::vector<std::string> kTower = {"box0", "box2", "box4"};
+
+const world::LinkState& boxState(const test::Rig& rig, int box) { return rig.state.links[static_cast<Slot>(box + 1)]; }
 
 TEST(SetAside, ChangesNoBitOfWhatStaysOrOfWhatComesBack) {
   for (const int moment : {50, 150, 400, 1500}) {
     test::Rig always(towers()), rig(towers());
     always.step(moment);
     rig.step(moment);
-    Shelf shelf = setAside(rig, {tower(rig, 0)});
-    EXPECT_EQ(rig.state.links.size(), 4U);
+    setAside(rig, kTower);
+    const Pose X_Before = boxState(rig, 4).X_WorldLink;
     always.step(200);
     rig.step(200);
     for (const int box : {1, 3, 5}) {
       EXPECT_EQ(boxState(rig, box).X_WorldLink, boxState(always, box).X_WorldLink) << "what stays";
     }
+    EXPECT_EQ(boxState(rig, 4).X_WorldLink, X_Before);
     // one tower is 200 steps behind the other
-    bringBack(rig, std::move(shelf));
+    setAside(rig, {});
     test::Rig before(towers());
     before.step(moment);
     for (int i = 0; i < 100; ++i) {
@@ -101,9 +84,7 @@ TEST(SetAside, LetsWhatStoodOnItFall) {
   test::Rig rig(towers());
   rig.step(3000);
   // all but the uppermost one of a tower
-  Roots roots = tower(rig, 0);
-  roots.models.pop_back();
-  Shelf shelf = setAside(rig, {roots});
+  setAside(rig, {"box0", "box2"});
   std::vector<Contact> contacts;
   rig.engine.contacts(contacts);
   for (const Contact& contact : contacts) {
@@ -112,39 +93,62 @@ TEST(SetAside, LetsWhatStoodOnItFall) {
   }
   rig.step(1000);
   EXPECT_LT(boxState(rig, 4).X_WorldLink.position.z(), 0.2);
-  bringBack(rig, std::move(shelf));
+  setAside(rig, {});
   rig.step(1000);
 }
 
 TEST(SetAside, FallsWithTheGravityOfNow) {
   test::Rig rig(towers());
-  Shelf shelf = setAside(rig, {tower(rig, 0)});
+  setAside(rig, kTower);
   rig.engine.setGravity({0, 0, 0});
-  bringBack(rig, std::move(shelf));
+  setAside(rig, {});
   const double z = boxState(rig, 4).X_WorldLink.position.z();
   rig.step(50);
   EXPECT_EQ(boxState(rig, 4).X_WorldLink.position.z(), z);
 }
 
-TEST(SetAside, OutlivesTheEnginesReset) {
+TEST(SetAside, IsInTheSavedState) {
   // a box that swings and scrapes over the ground, and one far away
   description::World world;
   world.models = {test::makeGround(), shelfBox("box0", test::at(0, 0, 0.5)), shelfBox("box1", test::at(9, 0, 1))};
   world.models[1].joints.push_back(test::makeJoint("hinge", description::JointType::kRevolute, "world", "link",
                                                    test::at(0, 0.5, 0.55), test::at(0, 0.5, 0.05), Vector3::UnitX()));
-  test::Rig always(world), rig(world);
+  test::Rig always(world), rig(world), other(world);
   always.step(400);
   rig.step(400);
-  Shelf shelf = setAside(rig, {Roots{{rig.entities.findModel("box0")}, {}, {}}});
-  rig.engine.reset();
-  bringBack(rig, std::move(shelf));
+  setAside(rig, {"box0"});
+  StateArchive saved;
+  world::transfer(saved, rig.state);
+  rig.engine.transfer(saved);
+  const std::vector<std::byte> bytes = saved.take();
+  setAside(other, {"box0"});
+  StateArchive restored(bytes);
+  world::transfer(restored, other.state);
+  other.engine.transfer(restored);
+  setAside(rig, {});
+  setAside(other, {});
   for (int i = 0; i < 200; ++i) {
     always.step(1);
     rig.step(1);
+    other.step(1);
     ASSERT_EQ(boxState(rig, 0).X_WorldLink, boxState(always, 0).X_WorldLink) << i;
     ASSERT_EQ(rig.joint(0).position, always.joint(0).position) << i;
+    ASSERT_EQ(boxState(other, 0).X_WorldLink, boxState(always, 0).X_WorldLink) << i;
+    ASSERT_EQ(other.joint(0).position, always.joint(0).position) << i;
   }
   EXPECT_GT(rig.joint(0).position, 0.1);
+}
+
+TEST(SetAside, MayBeFollowedByARemovalOfWhatItTouched) {
+  test::Rig rig(towers());
+  rig.step(3000);
+  setAside(rig, {"box2"});
+  const world::Removal removal = rig.entities.removeModel(rig.entities.findModel("box0"));
+  rig.engine.remove(removal);
+  rig.state.remove(removal);
+  setAside(rig, {});
+  rig.step(1000);
+  EXPECT_LT(rig.state.links[rig.entities.findLink("box2::link")].X_WorldLink.position.z(), 0.25);
 }
 
 }  // namespace

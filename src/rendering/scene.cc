@@ -140,6 +140,7 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
   ++version_;
   for (Slot slot = 0; slot < entities.links().size(); ++slot) {
     const world::LinkRecord& link = entities.links()[slot];
+    if (link.isSetAside) continue;
     Item prototype;
     prototype.link = slot;
     prototype.model = entities.models()[link.model].id;
@@ -148,7 +149,7 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
                 diagnostics);
     }
   }
-  for (const world::ActorRecord& actor : entities.actors()) addActor(*actor.description, diagnostics);
+  for (const world::ActorRecord& actor : world::present(entities.actors())) addActor(*actor.description, diagnostics);
   surroundings_ = entities.description().scene;
   if (background_) surroundings_.background = plainColor(*background_);
   if (ambient_) surroundings_.ambient = plainColor(*ambient_);
@@ -207,7 +208,7 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
         item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }
   lamps_.clear();
-  for (const world::LightRecord& record : entities.lights()) {
+  for (const world::LightRecord& record : world::present(entities.lights())) {
     const description::Light& light = *record.description;
     if (!light.isOn || light.intensity <= 0) continue;
     const Pose X_WorldParent = record.link == world::kNoSlot ? Pose() : state.links[record.link].X_WorldLink;

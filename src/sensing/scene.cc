@@ -51,6 +51,7 @@ class Scene::Content {
     std::size_t count = 0;
     for (Slot slot = 0; slot < entities.links().size(); ++slot) {
       const world::LinkRecord& link = entities.links()[slot];
+      if (link.isSetAside) continue;
       for (const description::Visual& visual : link.description->visuals) {
         std::optional<Object> object = read(visual, "link '" + link.description->name + "'", diagnostics);
         if (!object) continue;
@@ -59,7 +60,7 @@ class Scene::Content {
         add(std::move(*object), link.isStatic ? still_ : moving_, count, state);
       }
     }
-    for (const world::ActorRecord& actor : entities.actors()) {
+    for (const world::ActorRecord& actor : world::present(entities.actors())) {
       for (const description::Visual& visual : description::visualsOf(*actor.description)) {
         std::optional<Object> object = read(visual, "actor '" + actor.description->name + "'", diagnostics);
         if (!object) continue;

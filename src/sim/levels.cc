@@ -53,12 +53,6 @@ std::vector<world::Slot> clustersOf(const world::Entities& entities) {
   return parents;
 }
 
-template <class Record>
-bool isAmong(const std::vector<std::uint64_t>& ids, const std::vector<Record>& records) {
-  return std::ranges::any_of(records,
-                             [&ids](const Record& record) { return std::ranges::binary_search(ids, record.id.value); });
-}
-
 }  // namespace
 
 void Levels::start(Access& access) {
@@ -191,67 +185,31 @@ bool Levels::switchZones(const Access& access) {
 }
 
 void Levels::rearrange(Access& access) {
-  std::vector<std::uint64_t> wanted;
+  const auto isWanted = [this](const Member& member) {
+    return (member.kind == Kind::kModel && isPerforming(ModelId{member.id})) ||
+           std::ranges::any_of(member.zones, [this](std::size_t zone) { return zones_[zone].isLoaded; });
+  };
+  std::vector<std::uint64_t> aside;
   for (const Member& member : members_) {
-    const bool isWanted = std::ranges::any_of(member.zones, [this](std::size_t zone) { return zones_[zone].isLoaded; });
-    if (isWanted) wanted.push_back(member.id);
+    if (!isWanted(member)) aside.push_back(member.id);
   }
-  std::ranges::sort(wanted);
-  bringBack(access, wanted);
-  setAside(access, wanted);
-}
-
-void Levels::bringBack(Access& access, const std::vector<std::uint64_t>& wanted) const {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < access.shelf.size(); ++i) {
-    const world::Records& records = access.shelf[i].entities;
-    if (isAmong(wanted, records.models) || isAmong(wanted, records.lights) || isAmong(wanted, records.actors)) {
-      places.push_back(i);
-    }
+  std::ranges::sort(aside);
+  // models that joints hold together are set aside when all of them are
+  const std::vector<world::ModelRecord>& models = access.entities.models();
+  const std::vector<world::Slot> clusters = clustersOf(access.entities);
+  std::vector<bool> stays(models.size());
+  const auto isAside = [&](const world::ModelRecord& model) {
+    return std::ranges::binary_search(aside, model.id.value);
+  };
+  for (world::Slot slot = 0; slot < models.size(); ++slot) {
+    if (models[slot].parent == world::kNoSlot && !isAside(models[slot])) stays[clusters[slot]] = true;
   }
-  Editor(access).bringBack(places);
-}
-
-void Levels::setAside(Access& access, const std::vector<std::uint64_t>& wanted) {
-  const world::Entities& entities = access.entities;
-  std::vector<bool> goes(entities.models().size());
-  std::vector<world::Roots> groups;
-  for (const Member& member : members_) {
-    if (std::ranges::binary_search(wanted, member.id)) continue;
-    if (member.kind == Kind::kModel) {
-      const world::Slot slot = entities.slot(ModelId{member.id});
-      if (slot != world::kNoSlot && !isPerforming(ModelId{member.id})) goes[slot] = true;
-    } else if (member.kind == Kind::kLight) {
-      const world::Slot slot = entities.slot(LightId{member.id});
-      if (slot != world::kNoSlot) groups.push_back({{}, {slot}, {}});
-    } else {
-      const auto found = std::ranges::find(entities.actors(), ActorId{member.id}, &world::ActorRecord::id);
-      if (found == entities.actors().end()) continue;
-      groups.push_back({{}, {}, {static_cast<world::Slot>(found - entities.actors().begin())}});
-    }
-  }
-  // a cluster goes when all of it does
-  const std::vector<world::Slot> clusters = clustersOf(entities);
-  std::vector<bool> stays(goes.size());
-  for (const world::Slot slot : entities.topLevelModels()) {
-    if (!goes[slot]) stays[clusters[slot]] = true;
-  }
-  std::vector<std::size_t> groupOf(goes.size(), world::kNoSlot);
   isHeld_ = false;
-  for (const world::Slot slot : entities.topLevelModels()) {
-    if (!goes[slot]) continue;
-    if (stays[clusters[slot]]) {
-      isHeld_ = true;
-      continue;
-    }
-    std::size_t& group = groupOf[clusters[slot]];
-    if (group == world::kNoSlot) {
-      group = groups.size();
-      groups.emplace_back();
-    }
-    groups[group].models.push_back(slot);
+  for (world::Slot slot = 0; slot < models.size(); ++slot) {
+    if (models[slot].parent != world::kNoSlot || !stays[clusters[slot]]) continue;
+    if (std::erase(aside, models[slot].id.value) > 0) isHeld_ = true;
   }
-  Editor(access).setAside(groups);
+  Editor(access).setAside(aside);
 }
 
 void Levels::transfer(StateArchive& archive, const Access& access) {

@@ -90,8 +90,6 @@ class Levels {
   void addAwaited(Access& access);
   bool switchZones(const Access& access);
   void rearrange(Access& access);
-  void bringBack(Access& access, const std::vector<std::uint64_t>& wanted) const;
-  void setAside(Access& access, const std::vector<std::uint64_t>& wanted);
 
   bool areUsed_ = false;
   std::vector<Zone> zones_;

@@ -42,7 +42,7 @@ TEST(LevelsAllocation, AllocateNothingWhereNothingChanges) {
   access.levels.use();
   access.levels.start(access);
   access.levels.update(access);
-  EXPECT_EQ(access.shelf.size(), 5U);
+  EXPECT_EQ(entities.listSetAside().size(), 5U);
   std::vector<Performer> performers;
   access.levels.listPerformers(access, performers);
   // from buffer to buffer, which changes nothing
@@ -51,7 +51,7 @@ TEST(LevelsAllocation, AllocateNothingWhereNothingChanges) {
   };
   put(40, 0);
   access.levels.update(access);
-  EXPECT_EQ(access.shelf.size(), 4U);
+  EXPECT_EQ(entities.listSetAside().size(), 4U);
   for (const double y : {0.0, -20.0, -10.0}) {
     put(40, y);
     const long before = allocations;

@@ -1,6 +1,7 @@
 #include "sim/system_set.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -85,6 +86,9 @@ SystemSet::~SystemSet() = default;
 void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
                      Diagnostics& diagnostics) {
   loadsPlugins_ = true;
+  const std::vector<world::ModelRecord>& models = access_.entities.models();
+  if (!models.empty()) lastOfFile_ = models.back().id;
+  unloaded_.reserve(models.size());
   loadWorldPlugins(world, isConfigured, options, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
@@ -175,10 +179,9 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   Element plugin;
   plugin.name = "plugin";
   const Random random = stream(SystemSlot::streamOf(name, number));
-  const bool isUsed =
-      start({{}, number, std::move(name), std::move(plugin), transport_.node(), random, std::move(system), {}, where(),
-             true},
-            {}, {}, diagnostics);
+  const bool isUsed = start(
+      {{}, number, std::move(name), std::move(plugin), transport_.node(), random, std::move(system), {}, where(), true},
+      {}, {}, diagnostics);
   collect();
   return isUsed;
 }
@@ -263,13 +266,14 @@ void SystemSet::end(Predicate predicate) {
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
   end([&](const SystemSlot& slot) { return std::ranges::binary_search(models, slot.model()); });
-  unloaded_.insert(unloaded_.end(), models.begin(), models.end());
   collect();
+  // there is room for them
+  std::ranges::copy_if(models, std::back_inserter(unloaded_), [this](ModelId model) { return model <= lastOfFile_; });
 }
 
 void SystemSet::updateWhoRests() {
-  const auto isShelved = [this](auto id) { return access_.shelvedIds.contains(id.value); };
-  for (SystemSlot& slot : slots_) slot.setResting(isShelved(slot.model()) || isShelved(slot.actor()));
+  const auto isAside = [this](auto id) { return access_.entities.isSetAside(id.value); };
+  for (SystemSlot& slot : slots_) slot.setResting(isAside(slot.model()) || isAside(slot.actor()));
   collect();
 }
 

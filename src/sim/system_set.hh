@@ -128,8 +128,9 @@ class SystemSet {
   bool loadsPlugins_ = false;
   // The libraries must outlive the systems.
   plugin::Loader loader_;
-  /// Models whose systems have ended; the systems return with them.
+  /// Models of the file whose systems have ended; both return with a reset.
   std::vector<ModelId> unloaded_;
+  ModelId lastOfFile_;
   std::optional<std::string> failure_;
   EditQueue queue_;
   /// By topic, those that advertise it.

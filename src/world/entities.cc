@@ -61,9 +61,9 @@ Slot Entities::addModel(const description::Model& description, Slot parent, cons
     record.scopedName = join(models_[parent].scopedName, description.name);
     record.isStatic = record.isStatic || models_[parent].isStatic;
   }
-  slotOfId_.add(record.id.value, slot);
-  modelOfName_.emplace(record.scopedName, record.id);
   models_.push_back(std::move(record));
+  slotOfId_.add(models_[slot].id.value, slot);
+  modelOfName_.emplace(models_[slot].scopedName, models_[slot].id);
 
   addLinks(slot, X_WorldModel);
   for (const description::Model& inner : description.models) {
@@ -136,49 +136,72 @@ void Entities::addSensors(const std::vector<description::Sensor>& sensors, Slot 
 }
 
 void Entities::addLights(const std::vector<description::Light>& lights, Slot link) {
-  for (const description::Light& light : lights) {
-    lights_.push_back({LightId{nextId()}, nullptr, &light, link});
-    slotOfId_.add(lights_.back().id.value, lights_.size() - 1);
-  }
+  for (const description::Light& light : lights) addLight(light, link);
 }
 
-Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
-  const std::uint64_t lastId = lastId_;
-  const std::array sizes{models_.size(),     links_.size(),   joints_.size(),
-                         collisions_.size(), sensors_.size(), lights_.size()};
+void Entities::addLight(const description::Light& light, Slot link) {
+  lights_.push_back({LightId{nextId()}, nullptr, &light, link});
+  slotOfId_.add(lights_.back().id.value, lights_.size() - 1);
+}
+
+template <class Add>
+void Entities::addAllOrNothing(Add add) {
+  const Extent before = extent();
   try {
-    const Slot slot = addModel(*model, kNoSlot, Pose());
-    models_[slot].owner = std::move(model);
-    topLevelModels_.push_back(slot);
-    return slot;
-  } catch (const std::invalid_argument&) {
-    // what has come stands behind what was there
-    const auto shorten = [](auto& records, std::size_t size) {
-      records.erase(records.begin() + static_cast<std::ptrdiff_t>(size), records.end());
-    };
-    shorten(models_, sizes[0]);
-    shorten(links_, sizes[1]);
-    shorten(joints_, sizes[2]);
-    shorten(collisions_, sizes[3]);
-    shorten(sensors_, sizes[4]);
-    shorten(lights_, sizes[5]);
-    lastId_ = lastId;
-    index();
+    add();
+  } catch (...) {
+    undoInsertions(before);
     throw;
   }
 }
 
+Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
+  const Slot slot = models_.size();
+  addAllOrNothing([&] {
+    addModel(*model, kNoSlot, Pose());
+    topLevelModels_.push_back(slot);
+  });
+  models_[slot].owner = std::move(model);
+  return slot;
+}
+
 Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id) {
-  addJoint(*joint, kNoSlot, id);
+  addAllOrNothing([&] { addJoint(*joint, kNoSlot, id); });
   joints_.back().owner = std::move(joint);
   return joints_.size() - 1;
 }
 
 Slot Entities::insertLight(std::shared_ptr<const description::Light> light) {
-  const description::Light* description = light.get();
-  lights_.push_back({LightId{nextId()}, std::move(light), description, kNoSlot});
-  slotOfId_.add(lights_.back().id.value, lights_.size() - 1);
+  addAllOrNothing([&] { addLight(*light, kNoSlot); });
+  lights_.back().owner = std::move(light);
   return lights_.size() - 1;
+}
+
+Entities::Extent Entities::extent() const {
+  return {models_.size(),      links_.size(),          joints_.size(),
+          collisions_.size(),  sensors_.size(),        lights_.size(),
+          worldJoints_.size(), topLevelModels_.size(), lastId_};
+}
+
+// What was inserted stands behind what was there. Nothing here allocates.
+void Entities::undoInsertions(const Extent& before) noexcept {
+  for (Slot slot = before.models; slot < models_.size(); ++slot) {
+    const auto named = modelOfName_.find(models_[slot].scopedName);
+    if (named != modelOfName_.end() && named->second == models_[slot].id) modelOfName_.erase(named);
+  }
+  const auto shorten = [this](auto& records, std::size_t size) {
+    for (std::size_t slot = size; slot < records.size(); ++slot) slotOfId_.remove(records[slot].id.value);
+    records.erase(records.begin() + static_cast<std::ptrdiff_t>(size), records.end());
+  };
+  shorten(models_, before.models);
+  shorten(links_, before.links);
+  shorten(joints_, before.joints);
+  shorten(collisions_, before.collisions);
+  shorten(sensors_, before.sensors);
+  shorten(lights_, before.lights);
+  worldJoints_.resize(before.worldJoints);
+  topLevelModels_.resize(before.topLevelModels);
+  lastId_ = before.lastId;
 }
 
 void Entities::changeLight(Slot light, std::shared_ptr<const description::Light> changed) {
@@ -214,32 +237,13 @@ void Entities::reset() {
   *this = std::move(start);
 }
 
-void Entities::index() {
-  slotOfId_.clear();
-  modelOfName_.clear();
-  worldJoints_.clear();
-  const auto add = [this](const auto& records) {
-    for (Slot slot = 0; slot < records.size(); ++slot) slotOfId_.add(records[slot].id.value, slot);
-  };
-  add(models_);
-  add(links_);
-  add(joints_);
-  add(collisions_);
-  add(sensors_);
-  add(lights_);
-  for (const ModelRecord& model : models_) modelOfName_.emplace(model.scopedName, model.id);
-  for (const JointRecord& joint : joints_) {
-    if (joint.model == kNoSlot) worldJoints_.push_back(joint.id);
-  }
-}
-
 namespace {
 
-/// @return The slot of `id` in `records`, if it is one of theirs.
+/// @return The slot of `id` in `records`, if it is one of theirs and not set aside.
 template <class Records, class Id>
 Slot slotIn(const Records& records, const IdIndex& slotOfId, Id id) {
   const Slot slot = slotOfId.find(id.value);
-  return slot < records.size() && records[slot].id == id ? slot : kNoSlot;
+  return slot < records.size() && records[slot].id == id && !records[slot].isSetAside ? slot : kNoSlot;
 }
 
 }  // namespace
@@ -282,7 +286,8 @@ Slot Entities::findJoint(Slot model, std::string_view name) const {
   if (holder == kNoSlot && !holderName.empty()) return kNoSlot;
   if (holder == kNoSlot) {
     for (const JointId id : worldJoints_) {
-      if (joints_[slot(id)].description->name == scoped.last) return slot(id);
+      const Slot joint = slot(id);
+      if (joint != kNoSlot && joints_[joint].description->name == scoped.last) return joint;
     }
     return kNoSlot;
   }
@@ -298,7 +303,8 @@ Slot Entities::findLight(Slot link, std::string_view name) const {
   const auto begin =
       std::ranges::lower_bound(lights_, first, {}, [](const LightRecord& light) { return light.id.value; });
   for (auto light = begin; light != lights_.end(); ++light) {
-    if (light->link == link && light->description->name == name) return static_cast<Slot>(light - lights_.begin());
+    if (light->link == link && light->description->name == name && !light->isSetAside)
+      return static_cast<Slot>(light - lights_.begin());
     if (link != kNoSlot && light->link != link) break;
   }
   return kNoSlot;

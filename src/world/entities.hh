@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct LinkRecord {
   Pose X_WorldLinkStart;
   /// Slot of its first collision, followed by the others.
   Slot firstCollision = 0;
+  bool isSetAside = false;
 };
 
 struct JointRecord {
@@ -48,12 +50,14 @@ struct JointRecord {
   Slot childLink = kNoSlot;
   /// For a gearbox: the link to which its axes are fixed.
   Slot referenceLink = kNoSlot;
+  bool isSetAside = false;
 };
 
 struct CollisionRecord {
   CollisionId id;
   const description::Collision* description = nullptr;
   Slot link = kNoSlot;
+  bool isSetAside = false;
 };
 
 struct SensorRecord {
@@ -62,6 +66,7 @@ struct SensorRecord {
   /// Its parent; the other one is `kNoSlot`.
   Slot link = kNoSlot;
   Slot joint = kNoSlot;
+  bool isSetAside = false;
 };
 
 struct LightRecord {
@@ -71,11 +76,13 @@ struct LightRecord {
   const description::Light* description = nullptr;
   /// Its parent; `kNoSlot` for a light of the world.
   Slot link = kNoSlot;
+  bool isSetAside = false;
 };
 
 struct ActorRecord {
   ActorId id;
   const description::Actor* description = nullptr;
+  bool isSetAside = false;
 };
 
 /// @return The id of a visual of the actor's links.
@@ -100,6 +107,7 @@ struct ModelRecord {
   std::vector<Slot> links;
   std::vector<Slot> joints;
   std::vector<Slot> models;
+  bool isSetAside = false;
 };
 
 /// @return The id of a visual of the link.
@@ -130,71 +138,11 @@ void eraseSlots(Array& array, const std::vector<Slot>& slots) {
   array.erase(array.begin() + static_cast<std::ptrdiff_t>(kept), array.end());
 }
 
-/// Removes the entries of several groups of slots, each in ascending order, from an array; those behind move up.
-/// @return The entries by group.
-template <class T>
-std::vector<std::vector<T>> takeSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups) {
-  std::vector<std::vector<T>> taken(groups.size());
-  std::vector<Slot> all;
-  for (std::size_t group = 0; group < groups.size(); ++group) {
-    for (const Slot slot : groups[group]) taken[group].push_back(std::move(array[slot]));
-    all.insert(all.end(), groups[group].begin(), groups[group].end());
-  }
-  std::sort(all.begin(), all.end());
-  eraseSlots(array, all);
-  return taken;
+/// @return The records of a kind that are not set aside.
+template <class Record>
+auto present(const std::vector<Record>& records) {
+  return records | std::views::filter([](const Record& record) { return !record.isSetAside; });
 }
-
-/// Inserts groups of entries into an array at these slots; the others make room.
-template <class T>
-void giveSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups,
-               std::vector<std::vector<T>>& entries) {
-  std::vector<std::pair<Slot, T*>> given;
-  for (std::size_t group = 0; group < groups.size(); ++group) {
-    for (std::size_t i = 0; i < groups[group].size(); ++i) given.emplace_back(groups[group][i], &entries[group][i]);
-  }
-  std::sort(given.begin(), given.end());
-  const std::size_t count = array.size() + given.size();
-  std::vector<T> result;
-  result.reserve(count);
-  auto next = given.begin();
-  auto own = array.begin();
-  while (result.size() < count) {
-    const bool isGiven = next != given.end() && next->first == result.size();
-    result.push_back(std::move(isGiven ? *(next++)->second : *own++));
-  }
-  array = std::move(result);
-}
-
-/// The entities of a world by kind, each kind in the order of ids. A slot is an index into these arrays.
-struct Records {
-  std::vector<ModelRecord> models;
-  std::vector<LinkRecord> links;
-  std::vector<JointRecord> joints;
-  std::vector<CollisionRecord> collisions;
-  std::vector<SensorRecord> sensors;
-  std::vector<LightRecord> lights;
-  std::vector<ActorRecord> actors;
-};
-
-/// Slots of entities at the top level.
-struct Roots {
-  std::vector<Slot> models;
-  std::vector<Slot> lights;
-  std::vector<Slot> actors;
-};
-
-/// Former or current slots of groups of entities, by group, each in ascending order.
-struct GroupSlots {
-  std::vector<std::vector<Slot>> links;
-  std::vector<std::vector<Slot>> joints;
-};
-
-/// Groups of entities that were set aside, and their former slots.
-struct Departure {
-  std::vector<Records> groups;
-  GroupSlots slots;
-};
 
 /// The entities of a world: its models, links and joints with their ids, names and slots. Made from a description,
 /// which must outlive it.
@@ -202,8 +150,11 @@ struct Departure {
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it has
 /// visuals, by its collisions, its lights and its sensors), its nested models and its joints (each followed by its
 /// sensors); finally the world's own joints, its lights, and its actors, each followed by as many ids as its links have
-/// visuals. Slots of a kind are in the order of ids: new entities get the last ones, removing one moves up those behind
-/// it, and one that returns after being set aside gets its place again.
+/// visuals. Slots of a kind are in the order of ids: new entities get the last ones, and removing one moves up those
+/// behind it.
+///
+/// Entities that are set aside keep their records and slots, but lookups by id or name do not find them. Whoever goes
+/// through an array skips them (`present`).
 class Entities {
  public:
   /// @throws std::invalid_argument if a joint or model names a link that does not exist.
@@ -219,10 +170,10 @@ class Entities {
   const std::vector<SensorRecord>& sensors() const { return sensors_; }
   const std::vector<LightRecord>& lights() const { return lights_; }
   const std::vector<ActorRecord>& actors() const { return actors_; }
-  /// Slots of the top-level models, in the order of the file.
+  /// Slots of the top-level models that are not set aside, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
 
-  /// @return The slot, or `kNoSlot` if the entity does not exist (any more).
+  /// @return The slot, or `kNoSlot` if the entity does not exist (any more) or is set aside.
   Slot slot(ModelId id) const;
   Slot slot(LinkId id) const;
   Slot slot(JointId id) const;
@@ -269,12 +220,34 @@ class Entities {
   void changeLight(Slot light, std::shared_ptr<const description::Light> changed);
   void removeLight(Slot light);
 
-  /// Removes groups of entities, which keep their ids, with joints connected to their links. No joint may connect a
-  /// group to anything else.
-  Departure setAside(const std::vector<Roots>& groups);
-  /// Returns groups that were set aside.
-  /// @return Their current slots.
-  GroupSlots bringBack(std::vector<Records> groups);
+  /// What a call of `setAside` has changed.
+  struct Switched {
+    bool isAny = false;
+    /// Links, in ascending order.
+    std::vector<Slot> setAside;
+    std::vector<Slot> returned;
+  };
+  /// Sets entities aside with all their parts, and returns all others. No joint may connect one that is set aside to
+  /// one that is not.
+  /// @param ids Of top-level models, lights of the world and actors, in ascending order; others are ignored.
+  Switched setAside(const std::vector<std::uint64_t>& ids);
+  /// @return The ids with which `setAside` was called, without those ignored or removed since.
+  std::vector<std::uint64_t> listSetAside() const;
+  /// @return Whether a model, link, joint, collision, sensor or actor is set aside.
+  bool isSetAside(std::uint64_t id) const;
+  /// @return Whether a model of this scoped name is set aside.
+  bool isSetAside(std::string_view scopedName) const;
+  /// @return Whether a model, or a light of the world, has this name, even if it is set aside.
+  bool isTaken(std::string_view name) const;
+
+  /// How much there is, to undo insertions.
+  struct Extent {
+    std::size_t models, links, joints, collisions, sensors, lights, worldJoints, topLevelModels;
+    std::uint64_t lastId;
+  };
+  Extent extent() const;
+  /// Removes what was inserted since. Nothing else may have been changed.
+  void undoInsertions(const Extent& before) noexcept;
 
   /// Resets to the description. Its entities have the same ids as at the start; other ids are never reused.
   void reset();
@@ -284,7 +257,7 @@ class Entities {
 
   /// @return The joints of the link's top-level model and of all its nested models.
   std::span<const JointRecord> jointsAround(Slot link) const;
-  /// @return The joints of the world itself, which may connect any links.
+  /// @return The joints of the world itself, which may connect any links, even if they are set aside.
   const std::vector<JointId>& worldJoints() const { return worldJoints_; }
 
   /// @return The links of a model and of its nested models.
@@ -303,6 +276,7 @@ class Entities {
   void addJoint(const description::Joint& description, Slot model, std::optional<JointId> id = std::nullopt);
   void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
   void addLights(const std::vector<description::Light>& lights, Slot link);
+  void addLight(const description::Light& light, Slot link);
   void collectModels(Slot model, std::vector<Slot>& models) const;
   /// Slots of each kind to remove, in ascending order.
   struct Gone {
@@ -315,9 +289,8 @@ class Entities {
   /// Removes the records at these slots, in ascending order, and updates the index of those that move up.
   template <class Record>
   void erase(std::vector<Record>& records, const std::vector<Slot>& slots);
-  void index();
-  Records takeRecords();
-  void giveRecords(Records records);
+  template <class Add>
+  void addAllOrNothing(Add add);
 
   const description::World* description_;
   std::uint64_t lastId_ = 0;

@@ -28,8 +28,9 @@ class IdIndex {
   /// @param id In use.
   void move(std::uint64_t id, std::size_t place) { pages_[id / kPageSize]->places[id % kPageSize] = place; }
 
-  /// @param id In use.
-  void remove(std::uint64_t id) {
+  /// Does nothing if the id is not in use.
+  void remove(std::uint64_t id) noexcept {
+    if (find(id) == kNowhere) return;
     std::unique_ptr<Page>& page = pages_[id / kPageSize];
     page->places[id % kPageSize] = kNowhere;
     if (--page->count == 0) page.reset();

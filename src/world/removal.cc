@@ -66,7 +66,7 @@ Removal Entities::removeModels(const std::vector<Slot>& models) {
   std::uint64_t from = models_[models.front()].id.value;
   const auto goes = [&](Slot link) { return std::ranges::binary_search(gone.links, link); };
   for (const JointId id : worldJoints_) {
-    const JointRecord& joint = joints_[slot(id)];
+    const JointRecord& joint = joints_[slotOfId_.find(id.value)];
     if (!goes(joint.parentLink) && !goes(joint.childLink) && !goes(joint.referenceLink)) continue;
     joints.emplace_back(id.value, id.value + joint.description->sensors.size());
     from = std::min(from, id.value);
@@ -114,7 +114,8 @@ void Entities::erase(std::vector<Record>& records, const std::vector<Slot>& slot
 void Entities::remove(const Gone& gone, std::uint64_t from) {
   ++removals_;
   for (const Slot model : gone.models) modelOfName_.erase(models_[model].scopedName);
-  std::erase_if(worldJoints_, [&](JointId id) { return std::ranges::binary_search(gone.joints, slot(id)); });
+  std::erase_if(worldJoints_,
+                [&](JointId id) { return std::ranges::binary_search(gone.joints, slotOfId_.find(id.value)); });
   erase(models_, gone.models);
   erase(links_, gone.links);
   erase(joints_, gone.joints);
@@ -140,7 +141,7 @@ void Entities::renumber(const Gone& gone, std::uint64_t from) {
   }
   for (JointRecord& joint : recordsFrom(joints_, from)) renumberJoint(joint, gone);
   for (const JointId id : worldJoints_) {
-    if (id.value < from) renumberJoint(joints_[slot(id)], gone);
+    if (id.value < from) renumberJoint(joints_[slotOfId_.find(id.value)], gone);
   }
   for (CollisionRecord& collision : recordsFrom(collisions_, from)) {
     collision.link = movedUp(collision.link, gone.links);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -62,11 +64,11 @@ description::World shelfWorld() {
   return world;
 }
 
-/// Everything about the existing entities: ids, names and hierarchy.
+/// Everything about the entities that are there: ids, names and hierarchy.
 std::vector<std::string> roster(const Entities& entities) {
   std::vector<std::string> lines;
   const auto link = [&](Slot slot) { return slot == kNoSlot ? "-" : std::to_string(entities.links()[slot].id.value); };
-  for (const ModelRecord& model : entities.models()) {
+  for (const ModelRecord& model : present(entities.models())) {
     std::string line = "model " + std::to_string(model.id.value) + " " + model.scopedName + " canonical " +
                        link(model.canonicalLink) + " in " +
                        (model.parent == kNoSlot ? "-" : entities.models()[model.parent].scopedName) + " links";
@@ -77,7 +79,7 @@ std::vector<std::string> roster(const Entities& entities) {
     EXPECT_EQ(entities.slot(model.id), static_cast<Slot>(&model - entities.models().data()));
     lines.push_back(line);
   }
-  for (const LinkRecord& each : entities.links()) {
+  for (const LinkRecord& each : present(entities.links())) {
     std::string line = "link " + std::to_string(each.id.value) + " " + each.description->name + " of " +
                        entities.models()[each.model].scopedName;
     for (std::size_t i = 0; i < each.description->collisions.size(); ++i) {
@@ -86,111 +88,135 @@ std::vector<std::string> roster(const Entities& entities) {
     EXPECT_EQ(entities.slot(each.id), static_cast<Slot>(&each - entities.links().data()));
     lines.push_back(line);
   }
-  for (const JointRecord& joint : entities.joints()) {
+  for (const JointRecord& joint : present(entities.joints())) {
     lines.push_back("joint " + std::to_string(joint.id.value) + " " + link(joint.parentLink) + " " +
                     link(joint.childLink) + " of " +
                     (joint.model == kNoSlot ? "-" : entities.models()[joint.model].scopedName));
   }
-  for (const CollisionRecord& collision : entities.collisions()) {
+  for (const CollisionRecord& collision : present(entities.collisions())) {
     lines.push_back("collision " + std::to_string(collision.id.value) + " " + link(collision.link));
   }
-  for (const SensorRecord& sensor : entities.sensors()) {
+  for (const SensorRecord& sensor : present(entities.sensors())) {
     lines.push_back("sensor " + std::to_string(sensor.id.value) + " " + link(sensor.link) + " " +
                     (sensor.joint == kNoSlot ? "-" : std::to_string(entities.joints()[sensor.joint].id.value)));
   }
-  for (const LightRecord& light : entities.lights()) {
+  for (const LightRecord& light : present(entities.lights())) {
     lines.push_back("light " + std::to_string(light.id.value) + " " + light.description->name + " " + link(light.link));
   }
-  for (const ActorRecord& actor : entities.actors()) {
+  for (const ActorRecord& actor : present(entities.actors())) {
     lines.push_back("actor " + std::to_string(actor.id.value) + " " + actor.description->name);
   }
   for (const Slot slot : entities.topLevelModels()) lines.push_back("top " + entities.models()[slot].scopedName);
   return lines;
 }
 
-TEST(SetAside, TakesAGroupOutWithAllThatHangsOnIt) {
+/// @return The ids of these models, lights of the world and actors, in ascending order.
+std::vector<std::uint64_t> idsOf(const Entities& entities, const std::vector<std::string>& names) {
+  std::vector<std::uint64_t> ids;
+  const auto isNamed = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
+  for (const ModelRecord& model : entities.models()) {
+    if (isNamed(model.scopedName)) ids.push_back(model.id.value);
+  }
+  for (const LightRecord& light : entities.lights()) {
+    if (light.link == kNoSlot && isNamed(light.description->name)) ids.push_back(light.id.value);
+  }
+  for (const ActorRecord& actor : entities.actors()) {
+    if (isNamed(actor.description->name)) ids.push_back(actor.id.value);
+  }
+  std::ranges::sort(ids);
+  return ids;
+}
+
+TEST(SetAside, HidesModelsWithAllTheirParts) {
   const description::World world = shelfWorld();
   Entities entities(world);
   const std::vector<std::string> before = roster(entities);
-  const Departure departure =
-      entities.setAside({Roots{{entities.findModel("b"), entities.findModel("c")}, {}, {}}, Roots{{}, {8}, {0}}});
-  EXPECT_EQ(departure.groups[0].models.size(), 4U);
-  EXPECT_EQ(departure.groups[0].links.size(), 6U);
-  EXPECT_EQ(departure.groups[0].joints.size(), 5U) << "the bridge, too";
-  EXPECT_EQ(departure.groups[0].collisions.size(), 6U);
-  EXPECT_EQ(departure.groups[0].sensors.size(), 8U);
-  EXPECT_EQ(departure.groups[0].lights.size(), 6U);
-  EXPECT_EQ(departure.slots.links[0], (std::vector<Slot>{3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(departure.slots.joints[0], (std::vector<Slot>{2, 3, 4, 5, 8}));
-  EXPECT_TRUE(departure.slots.links[1].empty());
-  EXPECT_EQ(departure.groups[1].actors.size(), 1U);
+  const Slot b = entities.findModel("b"), c = entities.findModel("c"), tip = entities.findLink("c::inner::tip");
+  const LinkId base = entities.links()[entities.findLink("b::base")].id;
+  const Entities::Switched switched = entities.setAside(idsOf(entities, {"b", "c", "sun", "walker"}));
+  EXPECT_TRUE(switched.isAny);
+  EXPECT_EQ(switched.setAside, (std::vector<Slot>{3, 4, 5, 6, 7, 8}));
+  EXPECT_TRUE(switched.returned.empty());
+  const auto hidden = [](const auto& records) {
+    return std::ranges::count_if(records, [](const auto& record) { return record.isSetAside; });
+  };
+  EXPECT_EQ(hidden(entities.models()), 4);
+  EXPECT_EQ(hidden(entities.links()), 6);
+  EXPECT_EQ(hidden(entities.joints()), 5) << "the bridge, too";
+  EXPECT_EQ(hidden(entities.collisions()), 6);
+  EXPECT_EQ(hidden(entities.sensors()), 8);
+  EXPECT_EQ(hidden(entities.lights()), 6 + 1);
+  EXPECT_EQ(hidden(entities.actors()), 1);
   EXPECT_EQ(entities.findModel("b"), kNoSlot);
   EXPECT_EQ(entities.findModel("c::inner"), kNoSlot);
-  EXPECT_EQ(entities.slot(departure.groups[0].links[0].id), kNoSlot);
-  EXPECT_EQ(entities.actors().size(), 1U);
-  // the remaining entities are unchanged, and their references are right
+  EXPECT_EQ(entities.findLink("c::inner::tip"), kNoSlot);
+  EXPECT_EQ(entities.findLight(kNoSlot, "sun"), kNoSlot);
+  EXPECT_EQ(entities.findJoint(kNoSlot, "bridge"), kNoSlot);
+  EXPECT_EQ(entities.slot(base), kNoSlot);
+  EXPECT_TRUE(entities.isSetAside(base.value));
+  EXPECT_TRUE(entities.isSetAside("c::inner"));
+  EXPECT_FALSE(entities.isSetAside("a"));
+  for (const char* name : {"b", "sun", "a", "lamp"}) EXPECT_TRUE(entities.isTaken(name)) << name;
+  EXPECT_FALSE(entities.isTaken("walker"));
+  // the slots are the same
+  EXPECT_EQ(entities.models()[b].scopedName, "b");
+  EXPECT_EQ(entities.models()[c].scopedName, "c");
+  EXPECT_EQ(entities.links()[tip].description->name, "tip");
+  // the remaining entities are unchanged
   const std::vector<std::string> now = roster(entities);
   std::size_t next = 0;
   for (const std::string& line : before) next += next < now.size() && now[next] == line ? 1 : 0;
   EXPECT_EQ(next, now.size());
 }
 
-TEST(SetAside, BringsGroupsBackInAnyOrder) {
+TEST(SetAside, ReturnsWhatIsNoLongerListed) {
   const description::World world = shelfWorld();
   Entities entities(world);
   const std::vector<std::string> before = roster(entities);
-  const auto groups = [&] {
-    return std::vector<Roots>{{{entities.findModel("d")}, {}, {}},
-                              {{entities.findModel("b"), entities.findModel("c")}, {}, {}},
-                              {{entities.findModel("a")}, {entities.findLight(kNoSlot, "sun")}, {1}}};
-  };
-  Departure departure = entities.setAside(groups());
-  EXPECT_TRUE(entities.models().empty());
-  const GroupSlots first = entities.bringBack({departure.groups[1]});
-  EXPECT_EQ(first.links[0], (std::vector<Slot>{0, 1, 2, 3, 4, 5}));
-  const GroupSlots both = entities.bringBack({departure.groups[0], departure.groups[2]});
-  EXPECT_EQ(both.links[0], (std::vector<Slot>{9, 10, 11}));
-  EXPECT_EQ(both.links[1], (std::vector<Slot>{0, 1, 2}));
-  EXPECT_EQ(both.joints[0], (std::vector<Slot>{6, 7}));
+  const std::vector<std::uint64_t> all = idsOf(entities, {"a", "b", "c", "d", "sun", "lamp", "walker", "runner"});
+  const std::vector<std::uint64_t> two = idsOf(entities, {"a", "d", "sun", "runner"});
+  entities.setAside(all);
+  EXPECT_EQ(entities.listSetAside(), all);
+  EXPECT_TRUE(roster(entities).empty());
+  EXPECT_FALSE(entities.setAside(all).isAny);
+  EXPECT_EQ(entities.setAside(two).returned, (std::vector<Slot>{3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(entities.listSetAside(), two);
+  const Entities::Switched rest = entities.setAside({});
+  EXPECT_EQ(rest.returned, (std::vector<Slot>{0, 1, 2, 9, 10, 11}));
+  EXPECT_TRUE(rest.setAside.empty());
   EXPECT_EQ(roster(entities), before);
 }
 
 TEST(SetAside, KeepsWhatCameLaterBehind) {
   const description::World world = shelfWorld();
   Entities entities(world);
-  Departure departure = entities.setAside({Roots{{entities.findModel("d")}, {}, {}}});
+  entities.setAside(idsOf(entities, {"d"}));
   entities.insertModel(std::make_shared<description::Model>(shelfModel("late")));
-  entities.bringBack(std::move(departure.groups));
+  entities.setAside({});
   std::vector<std::string> names;
   for (const Slot slot : entities.topLevelModels()) names.push_back(entities.models()[slot].scopedName);
   EXPECT_EQ(names, (std::vector<std::string>{"a", "b", "c", "d", "late"}));
   roster(entities);
 }
 
-TEST(SetAside, TakesTheStateAlong) {
+TEST(SetAside, KeepsItsReferencesWhileOthersGo) {
+  const description::World world = shelfWorld();
+  Entities entities(world), other(world);
+  entities.setAside(idsOf(entities, {"b", "c", "d"}));
+  for (Entities* each : {&entities, &other}) each->removeModel(each->findModel("a"));
+  EXPECT_EQ(entities.setAside({}).returned.size(), 9U);
+  EXPECT_EQ(roster(entities), roster(other));
+}
+
+TEST(SetAside, KeepsItsStateWhichCountsInTheHash) {
   const description::World world = shelfWorld();
   Entities entities(world);
   State state(entities);
-  for (Slot slot = 0; slot < state.links.size(); ++slot) {
-    state.links[slot].X_WorldLink.position.x() = static_cast<double>(slot);
-  }
-  for (Slot slot = 0; slot < state.joints.size(); ++slot) state.joints[slot].position = static_cast<double>(slot);
   const std::uint64_t hash = stateHash(state);
-  Departure departure =
-      entities.setAside({Roots{{entities.findModel("b"), entities.findModel("c")}, {}, {}}, Roots{{0}, {}, {}}});
-  std::vector<StatePart> parts = state.setAside(departure.slots);
-  EXPECT_EQ(state.links.size(), 3U);
-  EXPECT_EQ(state.links[0].X_WorldLink.position.x(), 9);
-  EXPECT_EQ(parts[0].links[5].X_WorldLink.position.x(), 8);
-  EXPECT_EQ(parts[0].joints[4].position, 8);
-  // entities set aside are part of the hash
-  const std::uint64_t without = stateHash(state, {&parts[0], &parts[1]});
-  parts[1].links[0].v_WorldLink.x() = 1;
-  EXPECT_NE(stateHash(state, {&parts[0], &parts[1]}), without);
-  parts[1].links[0].v_WorldLink.x() = 0;
-  const GroupSlots slots = entities.bringBack(std::move(departure.groups));
-  state.bringBack(slots, std::move(parts));
+  entities.setAside(idsOf(entities, {"a"}));
   EXPECT_EQ(stateHash(state), hash);
+  state.links[0].v_WorldLink.x() = 1;
+  EXPECT_NE(stateHash(state), hash);
 }
 
 }  // namespace

@@ -40,33 +40,17 @@ void State::grow(const Entities& entities) {
   joints.resize(entities.joints().size());
 }
 
+void State::undoInsertions(const Entities& entities) noexcept {
+  links.resize(std::min(links.size(), entities.links().size()));
+  joints.resize(std::min(joints.size(), entities.joints().size()));
+}
+
 void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
   for (const ModelId model : removal.models) actuators.erase(model);
   std::erase_if(batteries,
                 [&](const BatteryState& battery) { return std::ranges::binary_search(removal.models, battery.model); });
-}
-
-std::vector<StatePart> State::setAside(const GroupSlots& groups) {
-  std::vector<std::vector<LinkState>> linkParts = takeSlots(links, groups.links);
-  std::vector<std::vector<JointState>> jointParts = takeSlots(joints, groups.joints);
-  std::vector<StatePart> parts;
-  for (std::size_t i = 0; i < linkParts.size(); ++i) {
-    parts.push_back({std::move(linkParts[i]), std::move(jointParts[i])});
-  }
-  return parts;
-}
-
-void State::bringBack(const GroupSlots& groups, std::vector<StatePart> parts) {
-  std::vector<std::vector<LinkState>> linkParts;
-  std::vector<std::vector<JointState>> jointParts;
-  for (StatePart& part : parts) {
-    linkParts.push_back(std::move(part.links));
-    jointParts.push_back(std::move(part.joints));
-  }
-  giveSlots(links, groups.links, linkParts);
-  giveSlots(joints, groups.joints, jointParts);
 }
 
 namespace {
@@ -90,17 +74,6 @@ void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<doub
   }
 }
 
-void transferArrays(StateArchive& archive, std::vector<LinkState>& links, std::vector<JointState>& joints) {
-  for (LinkState& link : links) {
-    archive(link.X_WorldLink);
-    archive(link.v_WorldLink);
-    archive(link.w_WorldLink);
-  }
-  for (JointState& joint : joints) {
-    for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
-  }
-}
-
 }  // namespace
 
 void transfer(StateArchive& archive, State& state) {
@@ -115,11 +88,16 @@ void transfer(StateArchive& archive, State& state) {
     archive(*value);
   }
   archive(state.wind);
-  transferArrays(archive, state.links, state.joints);
+  for (LinkState& link : state.links) {
+    archive(link.X_WorldLink);
+    archive(link.v_WorldLink);
+    archive(link.w_WorldLink);
+  }
+  for (JointState& joint : state.joints) {
+    for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
+  }
   transferActuators(archive, state.actuators);
 }
-
-void transfer(StateArchive& archive, StatePart& part) { transferArrays(archive, part.links, part.joints); }
 
 bool isOutOfPower(const State& state, ModelId model) {
   bool has = false;
@@ -150,30 +128,21 @@ Pose poseInModel(const Entities& entities, const State& state, Slot link) {
   return modelPose(entities, state, entities.links()[link].model).inverse() * state.links[link].X_WorldLink;
 }
 
-namespace {
-
-void addArrays(base::Hash& hash, const std::vector<LinkState>& links, const std::vector<JointState>& joints) {
-  hash.add(static_cast<std::uint64_t>(links.size()));
-  for (const LinkState& link : links) {
+std::uint64_t stateHash(const State& state) {
+  base::Hash hash;
+  hash.add(static_cast<std::uint64_t>(state.time.count()));
+  hash.add(state.iterations);
+  hash.add(static_cast<std::uint64_t>(state.links.size()));
+  for (const LinkState& link : state.links) {
     add(hash, link.X_WorldLink.position);
     add(hash, link.X_WorldLink.rotation);
     add(hash, link.v_WorldLink);
     add(hash, link.w_WorldLink);
   }
-  hash.add(static_cast<std::uint64_t>(joints.size()));
-  for (const JointState& joint : joints) {
+  hash.add(static_cast<std::uint64_t>(state.joints.size()));
+  for (const JointState& joint : state.joints) {
     for (const double value : {joint.position, joint.velocity, joint.position2, joint.velocity2}) hash.add(value);
   }
-}
-
-}  // namespace
-
-std::uint64_t stateHash(const State& state, const std::vector<const StatePart*>& parts) {
-  base::Hash hash;
-  hash.add(static_cast<std::uint64_t>(state.time.count()));
-  hash.add(state.iterations);
-  addArrays(hash, state.links, state.joints);
-  for (const StatePart* part : parts) addArrays(hash, part->links, part->joints);
   return hash.value();
 }
 

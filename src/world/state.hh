@@ -40,12 +40,6 @@ struct Place {
   double heading = 0;
 };
 
-/// State of a group of entities that is set aside.
-struct StatePart {
-  std::vector<LinkState> links;
-  std::vector<JointState> joints;
-};
-
 /// A battery of a model, and its loads.
 struct BatteryState {
   struct Load {
@@ -77,10 +71,9 @@ struct State {
 
   /// Adds the state of new `entities`, as at their start.
   void grow(const Entities& entities);
+  /// Corresponds to `Entities::undoInsertions`.
+  void undoInsertions(const Entities& entities) noexcept;
   void remove(const Removal& removal);
-  /// Corresponds to `Entities::setAside` and `bringBack`.
-  std::vector<StatePart> setAside(const GroupSlots& groups);
-  void bringBack(const GroupSlots& groups, std::vector<StatePart> parts);
 
   Time time{0};
   std::uint64_t iterations = 0;
@@ -103,7 +96,6 @@ struct State {
 
 /// The whole state, with arrays of the right size.
 void transfer(StateArchive& archive, State& state);
-void transfer(StateArchive& archive, StatePart& part);
 
 /// @return Whether the model has batteries and all are empty.
 bool isOutOfPower(const State& state, ModelId model);
@@ -120,8 +112,7 @@ Pose poseInModel(const Entities& entities, const State& state, Slot link);
 /// @return A hash of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each from its lowest byte up: time
 /// [ns], iterations, number of links, then for each link position (x, y, z), rotation (w, x, y, z), linear and angular
 /// velocity, then the number of joints, and for each joint position and velocity of its first and second axis;
-/// floating-point values as the bits of their IEEE 754 doubles. Then the same for the links and joints of each part
-/// that is set aside.
-std::uint64_t stateHash(const State& state, const std::vector<const StatePart*>& parts = {});
+/// floating-point values as the bits of their IEEE 754 doubles. What is set aside counts like all else.
+std::uint64_t stateHash(const State& state);
 
 }  // namespace pongsim::world

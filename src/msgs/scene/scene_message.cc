@@ -130,7 +130,7 @@ void setScene(const world::Entities& entities, const world::State& state, Messag
   for (const Slot model : entities.topLevelModels()) {
     if (!isWanted || isWanted(entities.models()[model].id.value)) writer.writeModel(model, *message.add_model());
   }
-  for (const world::LightRecord& light : entities.lights()) {
+  for (const world::LightRecord& light : world::present(entities.lights())) {
     if (light.link != kNoSlot || (isWanted && !isWanted(light.id.value))) continue;
     writer.writeLight(light, numberOf(entities.worldId()), *message.add_light());
   }
@@ -139,27 +139,27 @@ void setScene(const world::Entities& entities, const world::State& state, Messag
 std::string sceneGraph(const world::Entities& entities) {
   GraphWriter graph;
   graph.addNode(entities.worldId().value, entities.description().name);
-  for (const world::ModelRecord& model : entities.models()) {
+  for (const world::ModelRecord& model : world::present(entities.models())) {
     const std::uint64_t parent =
         model.parent == kNoSlot ? entities.worldId().value : entities.models()[model.parent].id.value;
     graph.addNode(model.id.value, model.description->name);
     graph.addEdge(parent, model.id.value);
   }
-  for (const world::LinkRecord& link : entities.links()) {
+  for (const world::LinkRecord& link : world::present(entities.links())) {
     graph.add(entities.models()[link.model].id, link.id, link.description->name);
   }
-  for (const world::LinkRecord& link : entities.links()) {
+  for (const world::LinkRecord& link : world::present(entities.links())) {
     for (std::size_t i = 0; i < link.description->visuals.size(); ++i) {
       graph.add(link.id, visualId(link, i), link.description->visuals[i].name);
     }
   }
-  for (const world::LightRecord& light : entities.lights()) {
+  for (const world::LightRecord& light : world::present(entities.lights())) {
     const std::uint64_t parent =
         light.link == kNoSlot ? entities.worldId().value : entities.links()[light.link].id.value;
     graph.addNode(light.id.value, light.description->name);
     graph.addEdge(parent, light.id.value);
   }
-  for (const world::SensorRecord& sensor : entities.sensors()) {
+  for (const world::SensorRecord& sensor : world::present(entities.sensors())) {
     if (sensor.link != kNoSlot) graph.add(entities.links()[sensor.link].id, sensor.id, sensor.description->name);
   }
   return graph.text();

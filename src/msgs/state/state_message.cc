@@ -97,18 +97,18 @@ class StateWriter {
     im::Scene surroundings;
     setSurroundings(entities_.description().scene, surroundings);
     worldEntity.add("Scene", surroundings);
-    for (const world::ModelRecord& model : entities_.models()) writeModel(model);
-    for (const world::LinkRecord& link : entities_.links()) writeLink(link);
-    for (const world::CollisionRecord& collision : entities_.collisions()) {
+    for (const world::ModelRecord& model : world::present(entities_.models())) writeModel(model);
+    for (const world::LinkRecord& link : world::present(entities_.links())) writeLink(link);
+    for (const world::CollisionRecord& collision : world::present(entities_.collisions())) {
       EntityWriter entity(collision.id.value, message_);
       entity.addPlace("Collision", collision.description->name, entities_.links()[collision.link].id.value);
       entity.add("Pose", componentText(collision.description->X_LinkCollision));
       entity.add("Geometry", bytesOf(collision.description->geometry));
     }
-    for (const world::JointRecord& joint : entities_.joints()) writeJoint(joint);
-    for (const world::LightRecord& light : entities_.lights()) writeLight(light);
-    for (const world::SensorRecord& sensor : entities_.sensors()) writeSensor(sensor);
-    for (const world::ActorRecord& actor : entities_.actors()) writeActor(actor);
+    for (const world::JointRecord& joint : world::present(entities_.joints())) writeJoint(joint);
+    for (const world::LightRecord& light : world::present(entities_.lights())) writeLight(light);
+    for (const world::SensorRecord& sensor : world::present(entities_.sensors())) writeSensor(sensor);
+    for (const world::ActorRecord& actor : world::present(entities_.actors())) writeActor(actor);
     for (const world::BatteryState& battery : state_.batteries) {
       if (entities_.slot(battery.model) == kNoSlot) continue;
       EntityWriter entity(battery.id.value, message_);
@@ -121,17 +121,17 @@ class StateWriter {
   void writeMoving(bool isAll) {
     for (Slot slot = 0; slot < entities_.models().size(); ++slot) {
       const world::ModelRecord& model = entities_.models()[slot];
-      if (!isAll && model.isStatic) continue;
+      if (model.isSetAside || (!isAll && model.isStatic)) continue;
       EntityWriter(model.id.value, message_).add("Pose", componentText(world::poseInParent(entities_, state_, slot)));
     }
     for (Slot slot = 0; slot < entities_.links().size(); ++slot) {
       const world::LinkRecord& link = entities_.links()[slot];
-      if (!isAll && link.isStatic) continue;
+      if (link.isSetAside || (!isAll && link.isStatic)) continue;
       EntityWriter(link.id.value, message_).add("Pose", componentText(world::poseInModel(entities_, state_, slot)));
     }
     for (Slot slot = 0; slot < entities_.joints().size(); ++slot) {
       const std::size_t axes = entities_.joints()[slot].description->axes.size();
-      if (axes == 0) continue;
+      if (axes == 0 || entities_.joints()[slot].isSetAside) continue;
       const world::JointState& joint = state_.joints[slot];
       im::Double_V positions, velocities;
       positions.add_data(joint.position);
@@ -146,7 +146,7 @@ class StateWriter {
       if (entities_.slot(battery.model) == kNoSlot) continue;
       EntityWriter(battery.id.value, message_).add("BatterySoC", componentText(battery.charge));
     }
-    for (const world::ActorRecord& actor : entities_.actors()) writeMotion(actor);
+    for (const world::ActorRecord& actor : world::present(entities_.actors())) writeMotion(actor);
   }
 
  private:

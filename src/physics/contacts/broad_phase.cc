@@ -2,9 +2,7 @@
 
 #include <LinearMath/btAabbUtil2.h>
 
-#include <algorithm>
 #include <new>
-#include <utility>
 
 namespace pongsim::physics {
 
@@ -55,25 +53,6 @@ void BroadPhase::destroyProxy(btBroadphaseProxy* absolute, btDispatcher* /*dispa
   auto* proxy = static_cast<btDbvtProxy*>(absolute);
   treeOf(*proxy).remove(proxy->leaf);
   btAlignedFree(proxy);
-}
-
-// backwards, because the last pair takes the place of a removed one
-template <class Goes>
-void BroadPhase::removePairsIf(const Goes& goes, btDispatcher& dispatcher) {
-  for (int i = m_paircache->getNumOverlappingPairs() - 1; i >= 0; --i) {
-    const btBroadphasePair& pair = m_paircache->getOverlappingPairArrayPtr()[i];
-    if (goes(pair)) m_paircache->removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, &dispatcher);
-  }
-}
-
-void BroadPhase::removePairs(std::vector<const btBroadphaseProxy*> proxies, btDispatcher& dispatcher) {
-  std::ranges::sort(proxies);
-  const auto goes = [&](const btBroadphaseProxy* proxy) { return std::ranges::binary_search(proxies, proxy); };
-  removePairsIf([&](const btBroadphasePair& pair) { return goes(pair.m_pProxy0) || goes(pair.m_pProxy1); }, dispatcher);
-}
-
-void BroadPhase::removePairs(btDispatcher& dispatcher) {
-  removePairsIf([](const btBroadphasePair&) { return true; }, dispatcher);
 }
 
 void BroadPhase::setAabb(btBroadphaseProxy* absolute, const btVector3& lowest, const btVector3& highest,

@@ -3,7 +3,6 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <utility>
-#include <vector>
 
 #include "base/prefetch.hh"
 #include "physics/contacts/tree_balance.hh"
@@ -21,10 +20,16 @@ class BroadPhase final : public btDbvtBroadphase {
                                  int mask, btDispatcher* dispatcher) override;
   /// For a body whose pairs have been removed.
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
-  /// Removes all pairs of these bodies, with their contacts, in one pass.
-  void removePairs(std::vector<const btBroadphaseProxy*> proxies, btDispatcher& dispatcher);
-  /// Removes all pairs.
-  void removePairs(btDispatcher& dispatcher);
+  /// Removes all pairs of the bodies for which `goes(proxy)` is true, with their contacts, in one pass.
+  template <class Goes>
+  void removePairs(const Goes& goes, btDispatcher& dispatcher) {
+    // backwards, because the last pair takes the place of a removed one
+    for (int i = m_paircache->getNumOverlappingPairs() - 1; i >= 0; --i) {
+      const btBroadphasePair& pair = m_paircache->getOverlappingPairArrayPtr()[i];
+      if (!goes(*pair.m_pProxy0) && !goes(*pair.m_pProxy1)) continue;
+      m_paircache->removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, &dispatcher);
+    }
+  }
   /// For a body that jumps to another place.
   void setAabb(btBroadphaseProxy* proxy, const btVector3& lowest, const btVector3& highest,
                btDispatcher* dispatcher) override;
@@ -56,8 +61,6 @@ class BroadPhase final : public btDbvtBroadphase {
   static bool areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
  private:
-  template <class Goes>
-  void removePairsIf(const Goes& goes, btDispatcher& dispatcher);
   btDbvt& treeOf(const btDbvtProxy& proxy);
   void put(btDbvtProxy& proxy, btDbvtVolume volume);
 

@@ -93,13 +93,13 @@ TEST(BroadPhase, RemovesThePairsOfSomeBodiesOrOfAll) {
   btBroadphaseProxy& d = row.add(0.9);
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
-  row.broadPhase.removePairs({&d, &a}, dispatcher);
+  row.broadPhase.removePairs([&](const btBroadphaseProxy& each) { return &each == &d || &each == &a; }, dispatcher);
   EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 1);
   EXPECT_TRUE(row.isPair(b, c));
   row.broadPhase.findPairs(a);
   EXPECT_TRUE(row.isPair(a, b));
   EXPECT_TRUE(row.isPair(a, d));
-  row.broadPhase.removePairs(dispatcher);
+  row.broadPhase.removePairs([](const btBroadphaseProxy&) { return true; }, dispatcher);
   EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
 }
 

@@ -21,17 +21,19 @@ world::Slot slotOf(const btBroadphaseProxy* proxy) {
 
 }  // namespace
 
-ContactFilter::ContactFilter(const world::Entities& entities) : entities_(entities) { update(); }
-
-void ContactFilter::update() {
-  jointed_.clear();
-  known_ = 0;
-  grow();
+ContactFilter::ContactFilter(const world::Entities& entities) : entities_(entities) {
+  update(entities.joints().size());
 }
 
-void ContactFilter::grow() {
+void ContactFilter::update(std::size_t joints) {
+  jointed_.clear();
+  known_ = 0;
+  grow(joints);
+}
+
+void ContactFilter::grow(std::size_t joints) {
   const auto sorted = static_cast<std::ptrdiff_t>(jointed_.size());
-  for (; known_ < entities_.joints().size(); ++known_) {
+  for (; known_ < joints; ++known_) {
     const world::JointRecord& joint = entities_.joints()[known_];
     if (joint.parentLink == world::kNoSlot || joint.childLink == world::kNoSlot) continue;
     jointed_.push_back(std::minmax(joint.parentLink, joint.childLink));

@@ -17,10 +17,11 @@ class ContactFilter final : public btOverlapFilterCallback {
  public:
   explicit ContactFilter(const world::Entities& entities);
 
-  /// Call after joints or links have been added or removed.
-  void update();
+  /// Call after joints or links have been removed. Does not allocate.
+  /// @param joints So many of them count, from the first on.
+  void update(std::size_t joints);
   /// Like `update`, for when they have only been added.
-  void grow();
+  void grow(std::size_t joints);
 
   bool mayTouch(world::Slot a, world::Slot b) const;
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;

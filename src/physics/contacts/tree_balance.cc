@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <new>
 
 namespace pongsim::physics {
 
@@ -33,7 +34,15 @@ int longestAxis(std::span<btDbvtNode* const> leaves) {
 
 }  // namespace
 
-void TreeBalance::keepShallow(btDbvt& tree, btDbvtNode& leaf) {
+void TreeBalance::keepShallow(btDbvt& tree, btDbvtNode& leaf) noexcept {
+  try {
+    balance(tree, leaf);
+  } catch (const std::bad_alloc&) {
+    // nothing is changed before all memory is there, and a deep tree finds the same pairs
+  }
+}
+
+void TreeBalance::balance(btDbvt& tree, btDbvtNode& leaf) {
   if (depthOf(leaf) <= largestDepth(static_cast<std::size_t>(tree.m_leaves))) return;
   std::size_t leaves = 1;
   for (btDbvtNode* node = &leaf; node->parent != nullptr; node = node->parent) {

@@ -17,9 +17,10 @@ namespace pongsim::physics {
 class TreeBalance {
  public:
   /// Call it after the leaf was inserted into the tree or moved in it.
-  void keepShallow(btDbvt& tree, btDbvtNode& leaf);
+  void keepShallow(btDbvt& tree, btDbvtNode& leaf) noexcept;
 
  private:
+  void balance(btDbvt& tree, btDbvtNode& leaf);
   std::size_t countLeaves(btDbvtNode& root);
   void rebuild(btDbvt& tree, btDbvtNode& root);
   /// Adds the nodes below a node, itself included, to `leaves_` and `inner_`.

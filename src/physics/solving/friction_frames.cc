@@ -10,6 +10,7 @@ namespace pongsim::physics {
 void FrictionFrames::find(std::span<const base::Arena::Pointer<Body>> bodies, world::Slot first,
                           const world::Entities& entities) {
   for (const auto& body : bodies.subspan(first)) {
+    if (entities.links()[body->link()].isSetAside) continue;
     LinkShape& shape = body->shape();
     for (std::size_t i = 0; i < shape.partCount(); ++i) {
       const std::string& name = shape.part(i).surface->fdir1Link;

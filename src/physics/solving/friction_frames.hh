@@ -20,6 +20,11 @@ class FrictionFrames {
   /// @param links Their slots, in ascending order.
   void remove(const std::vector<world::Slot>& links);
 
+  /// Likewise those of links from this slot on.
+  void removeFrom(world::Slot first) {
+    std::erase_if(frames_, [first](const Frame& each) { return each.body->link() >= first; });
+  }
+
   void clear() { frames_.clear(); }
   bool empty() const { return frames_.empty(); }
 

@@ -80,18 +80,21 @@ void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* con
 
 void GroupedWorld::remove(std::span<btRigidBody* const> bodies) {
   if (bodies.empty()) return;
-  std::vector<const btBroadphaseProxy*> proxies;
-  for (const btRigidBody* body : bodies) proxies.push_back(body->getBroadphaseProxy());
-  broadPhase_.removePairs(std::move(proxies), dispatcher_);
   for (btRigidBody* body : bodies) {
-    broadPhase_.destroyProxy(body->getBroadphaseProxy(), &dispatcher_);
-    body->setBroadphaseHandle(nullptr);
     // the last object takes its place
     const int index = body->getWorldArrayIndex();
     m_collisionObjects.swap(index, m_collisionObjects.size() - 1);
     m_collisionObjects.pop_back();
     if (index < m_collisionObjects.size()) m_collisionObjects[index]->setWorldArrayIndex(index);
     body->setWorldArrayIndex(-1);
+  }
+  const auto goes = [](const btBroadphaseProxy& proxy) {
+    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getWorldArrayIndex() < 0;
+  };
+  broadPhase_.removePairs(goes, dispatcher_);
+  for (btRigidBody* body : bodies) {
+    broadPhase_.destroyProxy(body->getBroadphaseProxy(), &dispatcher_);
+    body->setBroadphaseHandle(nullptr);
   }
   int kept = 0;
   for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
@@ -102,7 +105,7 @@ void GroupedWorld::remove(std::span<btRigidBody* const> bodies) {
 }
 
 void GroupedWorld::clear() {
-  broadPhase_.removePairs(dispatcher_);
+  broadPhase_.removePairs([](const btBroadphaseProxy&) { return true; }, dispatcher_);
   m_nonStaticRigidBodies.clear();
   while (m_collisionObjects.size() > 0) {
     btCollisionWorld::removeCollisionObject(m_collisionObjects[m_collisionObjects.size() - 1]);

@@ -57,8 +57,8 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   void setBodies(std::size_t first, std::span<btRigidBody* const> bodies);
   /// Likewise which joints are solved. Bullet's own list of joints is not used.
   void setJoints(std::size_t first, std::span<btTypedConstraint* const> joints);
-  /// Removes bodies with their pairs and contacts. To be used instead of `removeRigidBody`, which goes through all
-  /// pairs twice for each body.
+  /// Removes bodies with their pairs and contacts, without allocating. To be used instead of `removeRigidBody`, which
+  /// goes through all pairs twice for each body.
   void remove(std::span<btRigidBody* const> bodies);
   /// Removes all bodies.
   void clear();

@@ -5,9 +5,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
-#include <vector>
 
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
@@ -35,13 +33,6 @@ inline bool areWithin(const Vector3& a, const Vector3& b, double most) {
   // neither is longer than both together, which is not below what is not a number
   return a.squaredNorm() + b.squaredNorm() <= most * most || (isWithin(a, most) && isWithin(b, most));
 }
-
-/// A group of entities in unloaded levels, kept unchanged until it returns.
-struct Shelved {
-  world::Records entities;
-  world::StatePart state;
-  physics::SetAside bodies;
-};
 
 /// What the handles (`World`, `Model`, `Link`, `Joint`) access.
 class Access {
@@ -76,10 +67,6 @@ class Access {
     std::unordered_map<std::string, int> counts = {};
   };
   TakenNames takenNames = {};
-  /// Groups that are set aside, in the order of ids.
-  std::vector<Shelved> shelf = {};
-  /// The ids of all their models, sensors and actors.
-  std::unordered_set<std::uint64_t> shelvedIds = {};
   Levels levels = {};
 };
 
@@ -95,7 +82,7 @@ template <class Id>
 world::Slot slotOf(const Access& access, Id id) {
   const world::Slot slot = access.entities.slot(id);
   if (slot == world::kNoSlot) {
-    if (access.shelvedIds.contains(id.value)) {
+    if (access.entities.isSetAside(id.value)) {
       throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) +
                  " is in a level that is not loaded");
     }

@@ -12,7 +12,7 @@ namespace {
 
 const world::ActorRecord* findActor(const sim::Access& access, ActorId id) {
   const auto found = std::ranges::find(access.entities.actors(), id, &world::ActorRecord::id);
-  return found == access.entities.actors().end() ? nullptr : &*found;
+  return found == access.entities.actors().end() || found->isSetAside ? nullptr : &*found;
 }
 
 const description::Actor& actorAt(const sim::Access& access, ActorId id) {
@@ -26,7 +26,7 @@ const description::Actor& actorAt(const sim::Access& access, ActorId id) {
 }  // namespace
 
 std::optional<Actor> Actor::find(const World& world, std::string_view name) {
-  for (const world::ActorRecord& actor : world.access_->entities.actors()) {
+  for (const world::ActorRecord& actor : world::present(world.access_->entities.actors())) {
     if (actor.description->name == name) return Actor(*world.access_, actor.id);
   }
   return std::nullopt;

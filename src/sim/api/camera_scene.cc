@@ -65,7 +65,9 @@ Eigen::AlignedBox3d CameraScene::bounds(const std::optional<Model>& model) const
 
 std::vector<std::string> CameraScene::actors() const {
   std::vector<std::string> names;
-  for (const world::ActorRecord& actor : content_->access.entities.actors()) names.push_back(actor.description->name);
+  for (const world::ActorRecord& actor : world::present(content_->access.entities.actors())) {
+    names.push_back(actor.description->name);
+  }
   return names;
 }
 

@@ -295,7 +295,7 @@ std::vector<const Element*> Model::plugins() const {
 
 const UrdfSource* Model::urdf() const { return record(*access_, id_).description->urdf.source.get(); }
 
-bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+bool Model::isSetAside() const { return access_->entities.isSetAside(id_.value); }
 
 std::string_view World::name() const { return access_->entities.description().name; }
 

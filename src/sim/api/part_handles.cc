@@ -106,7 +106,7 @@ SourcePosition Collision::sourcePosition() const { return record(*access_, id_).
 
 bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 
-bool Sensor::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+bool Sensor::isSetAside() const { return access_->entities.isSetAside(id_.value); }
 
 std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
 
@@ -188,7 +188,7 @@ std::optional<Collision> World::collision(CollisionId id) const {
 
 std::vector<Sensor> World::sensors(std::string_view type) const {
   std::vector<Sensor> handles;
-  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+  for (const world::SensorRecord& sensor : world::present(access_->entities.sensors())) {
     if (sensor.description->type == type) handles.push_back(Sensor(*access_, sensor.id));
   }
   return handles;

@@ -26,7 +26,7 @@ std::string Scene::graph() const { return msgs::sceneGraph(access_->entities); }
 
 std::vector<LightPlace> Scene::lights() const {
   std::vector<LightPlace> places;
-  for (const world::LightRecord& light : access_->entities.lights()) {
+  for (const world::LightRecord& light : world::present(access_->entities.lights())) {
     places.push_back({light.id, light.description->name, light.description->X_ParentLight});
   }
   std::ranges::sort(places, {}, &LightPlace::id);
@@ -35,7 +35,7 @@ std::vector<LightPlace> Scene::lights() const {
 
 std::vector<ActorPlace> Scene::actors() const {
   std::vector<ActorPlace> places;
-  for (const world::ActorRecord& actor : access_->entities.actors()) {
+  for (const world::ActorRecord& actor : world::present(access_->entities.actors())) {
     places.push_back({actor.id, actor.description->name, msgs::pathOf(actor.description->skin)});
   }
   return places;
@@ -46,7 +46,7 @@ std::vector<std::uint64_t> Scene::topLevelIds() const {
   for (const world::Slot model : access_->entities.topLevelModels()) {
     ids.push_back(access_->entities.models()[model].id.value);
   }
-  for (const world::LightRecord& light : access_->entities.lights()) {
+  for (const world::LightRecord& light : world::present(access_->entities.lights())) {
     if (light.link == world::kNoSlot) ids.push_back(light.id.value);
   }
   std::ranges::sort(ids);

@@ -387,20 +387,12 @@ std::optional<std::string> Simulation::addPerformer(const std::string& model) {
   return std::nullopt;
 }
 
-bool Simulation::isSetAside(const std::string& model) const {
-  return std::ranges::any_of(parts_->access.shelf, [&](const sim::Shelved& shelved) {
-    return std::ranges::any_of(shelved.entities.models,
-                               [&](const world::ModelRecord& record) { return record.scopedName == model; });
-  });
-}
+bool Simulation::isSetAside(const std::string& model) const { return parts_->access.entities.isSetAside(model); }
 
 std::size_t Simulation::countSetAside() const {
-  std::size_t count = 0;
-  for (const sim::Shelved& shelved : parts_->access.shelf) {
-    count += static_cast<std::size_t>(
-        std::ranges::count(shelved.entities.models, world::kNoSlot, &world::ModelRecord::parent));
-  }
-  return count;
+  return static_cast<std::size_t>(std::ranges::count_if(parts_->entities.models(), [](const world::ModelRecord& model) {
+    return model.isSetAside && model.parent == world::kNoSlot;
+  }));
 }
 
 std::optional<std::string> Simulation::setStepSize(Time size) {
@@ -444,11 +436,7 @@ void Simulation::offerEdits() {
   if (!parts_->offers) parts_->offers.emplace(*this);
 }
 
-std::uint64_t Simulation::stateHash() const {
-  std::vector<const world::StatePart*> parts;
-  for (const sim::Shelved& shelved : parts_->access.shelf) parts.push_back(&shelved.state);
-  return world::stateHash(parts_->state, parts);
-}
+std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->state); }
 
 Transport& Simulation::transport() { return parts_->transport; }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,18 +12,7 @@ bool isSound(const Pose& pose) {
   return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.rotation.norm() > 1e-6;
 }
 
-bool Editor::isFree(std::string_view name) const {
-  const auto isOf = [name](const Shelved& shelved) {
-    return std::ranges::any_of(shelved.entities.models,
-                               [name](const world::ModelRecord& model) { return model.scopedName == name; }) ||
-           std::ranges::any_of(shelved.entities.lights, [name](const world::LightRecord& light) {
-             return light.link == world::kNoSlot && light.description->name == name;
-           });
-  };
-  return access_.entities.findModel(name) == world::kNoSlot &&
-         access_.entities.findLight(world::kNoSlot, name) == world::kNoSlot &&
-         std::ranges::none_of(access_.shelf, isOf);
-}
+bool Editor::isFree(std::string_view name) const { return !access_.entities.isTaken(name); }
 
 std::string Editor::freeName(const std::string& name) const {
   if (isFree(name)) return name;
@@ -40,25 +28,34 @@ std::string Editor::freeName(const std::string& name) const {
   }
 }
 
-world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
-  const world::Slot slot = access_.entities.insertModel(std::move(model));
+template <class Insert>
+world::Slot Editor::insertAllOrNothing(Insert insert) {
+  const world::Entities::Extent before = access_.entities.extent();
   try {
+    const world::Slot slot = insert();
+    access_.state.grow(access_.entities);
+    // undoes its own part where it fails
     access_.engine.grow();
+    access_.noteChange();
+    return slot;
   } catch (...) {
-    access_.entities.removeModel(slot);
+    access_.entities.undoInsertions(before);
+    access_.state.undoInsertions(access_.entities);
     throw;
   }
-  access_.state.grow(access_.entities);
-  access_.noteChange();
-  return slot;
+}
+
+world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
+  return insertAllOrNothing([&] { return access_.entities.insertModel(std::move(model)); });
 }
 
 std::vector<ModelId> Editor::remove(const std::vector<world::Slot>& models) {
-  const world::Removal removal = access_.entities.removeModels(models);
+  world::Removal removal = access_.entities.removeModels(models);
+  // from here on nothing allocates
   access_.engine.remove(removal);
   access_.state.remove(removal);
   access_.noteChange();
-  return removal.models;
+  return std::move(removal.models);
 }
 
 const world::JointRecord* Editor::holder(const std::vector<world::Slot>& links) const {
@@ -69,8 +66,8 @@ const world::JointRecord* Editor::holder(const std::vector<world::Slot>& links) 
   const auto found = std::ranges::find_if(around, holds);
   if (found != around.end()) return &*found;
   for (const JointId id : entities.worldJoints()) {
-    const world::JointRecord& joint = entities.joints()[entities.slot(id)];
-    if (holds(joint)) return &joint;
+    const world::Slot slot = entities.slot(id);
+    if (slot != world::kNoSlot && holds(entities.joints()[slot])) return &entities.joints()[slot];
   }
   return nullptr;
 }
@@ -135,11 +132,7 @@ world::Slot Editor::attach(world::Slot parent, world::Slot child, std::string na
 }
 
 world::Slot Editor::insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id) {
-  const world::Slot slot = access_.entities.insertJoint(std::move(joint), id);
-  access_.engine.grow();
-  access_.state.grow(access_.entities);
-  access_.noteChange();
-  return slot;
+  return insertAllOrNothing([&] { return access_.entities.insertJoint(std::move(joint), id); });
 }
 
 void Editor::detach(world::Slot joint) {
@@ -154,61 +147,14 @@ void Editor::setGravity(const Vector3& gravity) {
   access_.engine.setGravity(gravity);
 }
 
-namespace {
-
-/// @return The lowest id in it.
-std::uint64_t firstId(const world::Records& records) {
-  std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
-  for (const world::ModelRecord& model : records.models) first = std::min(first, model.id.value);
-  for (const world::LightRecord& light : records.lights) first = std::min(first, light.id.value);
-  for (const world::ActorRecord& actor : records.actors) first = std::min(first, actor.id.value);
-  return first;
-}
-
-}  // namespace
-
-void Editor::setAside(const std::vector<world::Roots>& groups) {
-  if (groups.empty()) return;
-  world::Departure departure = access_.entities.setAside(groups);
-  std::vector<physics::SetAside> bodies = access_.engine.setAside(departure.slots);
-  std::vector<world::StatePart> state = access_.state.setAside(departure.slots);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    access_.shelf.push_back({std::move(departure.groups[i]), std::move(state[i]), std::move(bodies[i])});
-  }
-  putShelfInOrder();
-}
-
-void Editor::bringBack(const std::vector<std::size_t>& places) {
-  if (places.empty()) return;
-  std::vector<world::Records> entities;
-  std::vector<world::StatePart> state;
-  std::vector<physics::SetAside> bodies;
-  for (const std::size_t place : places) {
-    entities.push_back(std::move(access_.shelf[place].entities));
-    state.push_back(std::move(access_.shelf[place].state));
-    bodies.push_back(std::move(access_.shelf[place].bodies));
-  }
-  world::eraseSlots(access_.shelf, places);
-  const world::GroupSlots slots = access_.entities.bringBack(std::move(entities));
-  access_.engine.bringBack(slots, std::move(bodies));
-  access_.state.bringBack(slots, std::move(state));
-  putShelfInOrder();
-}
-
-void Editor::putShelfInOrder() {
-  std::ranges::sort(access_.shelf, {}, [](const Shelved& shelved) { return firstId(shelved.entities); });
-  access_.shelvedIds.clear();
-  for (const Shelved& shelved : access_.shelf) {
-    for (const world::ModelRecord& model : shelved.entities.models) access_.shelvedIds.insert(model.id.value);
-    for (const world::SensorRecord& sensor : shelved.entities.sensors) access_.shelvedIds.insert(sensor.id.value);
-    for (const world::ActorRecord& actor : shelved.entities.actors) access_.shelvedIds.insert(actor.id.value);
-  }
+void Editor::setAside(const std::vector<std::uint64_t>& ids) {
+  const world::Entities::Switched switched = access_.entities.setAside(ids);
+  if (!switched.isAny) return;
+  access_.engine.setAside(switched);
   access_.noteChange();
 }
 
 void Editor::reset() {
-  access_.shelf.clear();
-  access_.shelvedIds.clear();
   access_.entities.reset();
   // the systems stay, and with them the batteries of the models that are there
   std::vector<world::BatteryState> batteries = std::move(access_.state.batteries);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,10 +50,8 @@ class Editor {
 
   void setGravity(const Vector3& gravity);
 
-  /// Sets groups of entities aside; each returns as a whole. No joint may connect a group to anything else.
-  void setAside(const std::vector<world::Roots>& groups);
-  /// Returns the groups at these indices of the shelf, in ascending order.
-  void bringBack(const std::vector<std::size_t>& places);
+  /// Sets entities aside and returns all others, as `Entities::setAside`.
+  void setAside(const std::vector<std::uint64_t>& ids);
 
   /// Resets to the start.
   void reset();
@@ -64,7 +62,9 @@ class Editor {
  private:
   /// @return A joint that connects some of these links, in ascending order, to another link; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
-  void putShelfInOrder();
+  /// Adds to the entities what `insert` adds, and then to state and engine.
+  template <class Insert>
+  world::Slot insertAllOrNothing(Insert insert);
   Access& access_;
 };
 

@@ -37,7 +37,7 @@ world::Slot findLight(const Access& access, const msgs::LightName& asked, std::s
   const world::Slot slot = entities.findLight(holder, asked.name);
   if (slot != world::kNoSlot) return slot;
   std::vector<std::string_view> names;
-  for (const world::LightRecord& light : entities.lights()) {
+  for (const world::LightRecord& light : world::present(entities.lights())) {
     if (light.link == holder) names.push_back(light.description->name);
   }
   const std::string nearest = base::didYouMean(asked.name, names);

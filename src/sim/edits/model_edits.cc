@@ -180,10 +180,18 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
     return std::nullopt;
   }
   const Model inserted = World(access_).model(access_.entities.models()[slot].id).value();
-  if (systems_ != nullptr) systems_->load(slot, diagnostics);
-  if (diagnostics.hasErrors()) {
+  const auto removeAgain = [&] {
     systems_->unload(editor.remove({slot}));
     access_.hasChanged = false;
+  };
+  try {
+    if (systems_ != nullptr) systems_->load(slot, diagnostics);
+  } catch (...) {
+    removeAgain();
+    throw;
+  }
+  if (diagnostics.hasErrors()) {
+    removeAgain();
     return std::nullopt;
   }
   announceChanges();

@@ -18,19 +18,12 @@ void addPose(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.rotation.coeffs()) hash.add(value);
 }
 
-/// Entities that are there, or a group that is set aside.
-struct Holder {
-  const std::vector<world::ModelRecord>& models;
-  const std::vector<world::LinkRecord>& links;
-  const std::vector<world::JointRecord>& joints;
-};
-
-std::string linkName(const Holder& holder, world::Slot link) {
+std::string linkName(const world::Entities& entities, world::Slot link) {
   if (link == world::kNoSlot) return {};
-  return holder.models[holder.links[link].model].scopedName + "::" + holder.links[link].description->name;
+  return entities.models()[entities.links()[link].model].scopedName + "::" + entities.links()[link].description->name;
 }
 
-SavedJoint savedJoint(const Holder& holder, const world::JointRecord& joint) {
+SavedJoint savedJoint(const world::Entities& entities, const world::JointRecord& joint) {
   const description::Joint& description = *joint.description;
   SavedJoint saved;
   saved.isMade = joint.owner != nullptr;
@@ -42,11 +35,11 @@ SavedJoint savedJoint(const Holder& holder, const world::JointRecord& joint) {
     saved.X_ParentJoint = description.X_ParentJoint;
   }
   base::Hash hash;
-  hash.add(joint.model == world::kNoSlot ? std::string() : holder.models[joint.model].scopedName);
+  hash.add(joint.model == world::kNoSlot ? std::string() : entities.models()[joint.model].scopedName);
   hash.add(description.name);
   hash.add(static_cast<std::uint64_t>(description.type));
   for (const world::Slot link : {joint.parentLink, joint.childLink, joint.referenceLink}) {
-    hash.add(linkName(holder, link));
+    hash.add(linkName(entities, link));
   }
   addPose(hash, description.X_ParentJoint);
   hash.add(saved.id.value);
@@ -54,24 +47,10 @@ SavedJoint savedJoint(const Holder& holder, const world::JointRecord& joint) {
   return saved;
 }
 
-using Joints = std::vector<std::pair<JointId, SavedJoint>>;
-
-void addJoints(const Holder& holder, Joints& joints) {
-  for (const world::JointRecord& joint : holder.joints) joints.emplace_back(joint.id, savedJoint(holder, joint));
-}
-
-/// @return In the order of their ids.
-std::vector<SavedJoint> inOrder(Joints joints) {
-  std::ranges::sort(joints, {}, &Joints::value_type::first);
-  std::vector<SavedJoint> sorted;
-  for (auto& [id, joint] : joints) sorted.push_back(std::move(joint));
-  return sorted;
-}
-
 std::vector<SavedJoint> jointsOf(const world::Entities& entities) {
-  Joints joints;
-  addJoints({entities.models(), entities.links(), entities.joints()}, joints);
-  return inOrder(std::move(joints));
+  std::vector<SavedJoint> joints;
+  for (const world::JointRecord& joint : entities.joints()) joints.push_back(savedJoint(entities, joint));
+  return joints;
 }
 
 bool isSame(const SavedJoint& a, const SavedJoint& b) { return a.key == b.key; }
@@ -131,15 +110,7 @@ void SavedJoint::transfer(StateArchive& archive) {
   archive(X_ParentJoint);
 }
 
-std::vector<SavedJoint> listJoints(const Access& access) {
-  const world::Entities& entities = access.entities;
-  Joints joints;
-  addJoints({entities.models(), entities.links(), entities.joints()}, joints);
-  for (const Shelved& shelved : access.shelf) {
-    addJoints({shelved.entities.models, shelved.entities.links, shelved.entities.joints}, joints);
-  }
-  return inOrder(std::move(joints));
-}
+std::vector<SavedJoint> listJoints(const Access& access) { return jointsOf(access.entities); }
 
 std::optional<std::string> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted) {
   const std::vector<SavedJoint> present = listJoints(access);

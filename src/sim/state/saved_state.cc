@@ -7,46 +7,33 @@
 #include <vector>
 
 #include "base/hash.hh"
-#include "sim/state/saved_groups.hh"
+#include "sim/edits/editor.hh"
 #include "sim/state/saved_joints.hh"
 
 namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim4";
+constexpr std::string_view kMark = "pongsim5";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);
   for (const double value : pose.rotation.coeffs()) hash.add(value);
 }
 
-/// @return Pointers to records that are there or set aside, in the order of their ids.
-template <class Record>
-std::vector<const Record*> allOf(const Access& access, const std::vector<Record>& there,
-                                 std::vector<Record> world::Records::*member) {
-  std::vector<const Record*> all;
-  for (const Record& record : there) all.push_back(&record);
-  for (const Shelved& shelved : access.shelf) {
-    for (const Record& record : shelved.entities.*member) all.push_back(&record);
-  }
-  std::ranges::sort(all, {}, [](const Record* record) { return record->id; });
-  return all;
-}
-
 /// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
 std::uint64_t structureOf(const Access& access, const SystemSet& systems) {
   base::Hash hash;
   hash.add(access.entities.description().name);
-  for (const world::ModelRecord* model : allOf(access, access.entities.models(), &world::Records::models)) {
-    hash.add(model->scopedName);
-    hash.add(std::uint64_t{model->isStatic});
+  for (const world::ModelRecord& model : access.entities.models()) {
+    hash.add(model.scopedName);
+    hash.add(std::uint64_t{model.isStatic});
   }
-  for (const world::LinkRecord* link : allOf(access, access.entities.links(), &world::Records::links)) {
-    hash.add(link->description->name);
-    hash.add(link->description->inertial.mass);
-    hash.add(std::uint64_t{link->description->collisions.size()});
-    add(hash, link->X_WorldLinkStart);
+  for (const world::LinkRecord& link : access.entities.links()) {
+    hash.add(link.description->name);
+    hash.add(link.description->inertial.mass);
+    hash.add(std::uint64_t{link.description->collisions.size()});
+    add(hash, link.X_WorldLinkStart);
   }
   for (const auto& [level, isLoaded] : access.levels.list()) hash.add(level);
   systems.addTo(hash);
@@ -57,20 +44,6 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
   base::Hash hash;
   hash.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   return hash.value();
-}
-
-void transferShelf(StateArchive& archive, Access& access) {
-  std::vector<LinkId> links;
-  for (const world::LinkRecord* link : allOf(access, access.entities.links(), &world::Records::links)) {
-    links.push_back(link->id);
-  }
-  for (Shelved& shelved : access.shelf) {
-    world::transfer(archive, shelved.state);
-    shelved.bodies.transfer(archive, links);
-    for (world::ModelRecord& model : shelved.entities.models) {
-      if (model.canonicalLink == world::kNoSlot) archive(model.X_CanonicalModel);
-    }
-  }
 }
 
 void transfer(StateArchive& archive, Access& access) {
@@ -85,39 +58,53 @@ void transfer(StateArchive& archive, Access& access) {
     archive(pose);
     access.entities.setPose(slot, pose);
   }
-  transferShelf(archive, access);
 }
 
-/// Who is there in a saved state, and what the systems remember.
-struct SavedWho {
-  std::vector<SavedGroup> groups;
+/// Calls `use(name, record)` with each model, light and actor that is not part of something else. Names begin with the
+/// kind, for a model and a light may have the same.
+template <class Use>
+void forEachTopLevel(const world::Entities& entities, Use use) {
+  for (const world::ModelRecord& model : entities.models()) {
+    if (model.parent == world::kNoSlot) use("model " + model.scopedName, model);
+  }
+  for (const world::LightRecord& light : entities.lights()) {
+    if (light.link == world::kNoSlot) use("light " + light.description->name, light);
+  }
+  for (const world::ActorRecord& actor : entities.actors()) use("actor " + actor.description->name, actor);
+}
+
+/// What is in the world in a saved state, and what the systems remember.
+struct SavedContent {
+  /// By name, in order: ids may be others in another run.
+  std::vector<std::string> setAside;
   std::vector<SavedJoint> joints;
   std::vector<std::string> systems;
 
   void transfer(StateArchive& archive) {
-    archive(groups);
+    archive(setAside);
     archive(joints);
     archive(systems);
   }
 };
 
-/// Lets those be set aside that are in the saved state.
-/// @return Why that can't be, and nothing is changed then.
-std::optional<std::string> restoreWho(const SavedWho& who, Access& access, SystemSet& systems) {
-  const std::vector<SavedGroup> before = listGroups(access);
-  bringAllBack(access);
-  if (auto error = restoreJoints(access, who.joints)) {
-    setAside(before, access);
+/// Sets those aside that are in the saved state, and makes and removes joints.
+/// @return Why that can't be; then nothing is changed.
+std::optional<std::string> restoreContent(const SavedContent& saved, Access& access, SystemSet& systems) {
+  const std::vector<std::uint64_t> before = access.entities.listSetAside();
+  Editor(access).setAside({});
+  if (auto error = restoreJoints(access, saved.joints)) {
+    Editor(access).setAside(before);
     return error;
   }
-  if (!who.groups.empty()) {
-    // what is set aside is not made anew with the others
-    access.engine.reset();
-    // nor can its systems look for anything then
-    systems.restore(who.systems, false);
-  }
-  setAside(who.groups, access);
-  if (who.groups == before) return std::nullopt;
+  // systems of what is set aside can't look for anything afterwards
+  if (!saved.setAside.empty()) systems.restore(saved.systems, false);
+  std::vector<std::uint64_t> ids;
+  forEachTopLevel(access.entities, [&](const std::string& name, const auto& record) {
+    if (std::ranges::binary_search(saved.setAside, name)) ids.push_back(record.id.value);
+  });
+  std::ranges::sort(ids);
+  Editor(access).setAside(ids);
+  if (ids == before) return std::nullopt;
   // who holds sensors that have come or gone must know it before those are restored
   systems.updateWhoRests();
   systems.announceChanges();
@@ -128,9 +115,12 @@ std::optional<std::string> restoreWho(const SavedWho& who, Access& access, Syste
 
 std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
   StateArchive content;
-  SavedWho who{listGroups(access), listJoints(access), {}};
-  who.systems = systems.save();
-  content(who);
+  SavedContent saved{{}, listJoints(access), systems.save()};
+  forEachTopLevel(access.entities, [&](std::string name, const auto& record) {
+    if (record.isSetAside) saved.setAside.push_back(std::move(name));
+  });
+  std::ranges::sort(saved.setAside);
+  content(saved);
   transfer(content, access);
   const std::vector<std::byte> rest = content.take();
 
@@ -161,11 +151,11 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
     return "the saved state is of another world, or of other models, joints or systems";
   }
   StateArchive content(header.rest());
-  SavedWho who;
-  content(who);
-  if (const auto error = restoreWho(who, access, systems)) return error;
+  SavedContent saved;
+  content(saved);
+  if (const auto error = restoreContent(saved, access, systems)) return error;
   transfer(content, access);
-  systems.restore(who.systems, true);
+  systems.restore(saved.systems, true);
   return std::nullopt;
 }
 

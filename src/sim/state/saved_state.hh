@@ -11,7 +11,7 @@
 
 namespace pongsim::sim {
 
-// The bytes: "pongsim4", a number made of who is in the world, a number made of the rest, and the rest.
+// The bytes: "pongsim5", a number made of who is in the world, a number made of the rest, and the rest.
 
 std::vector<std::byte> saveState(Access& access, SystemSet& systems);
 

@@ -24,19 +24,19 @@ void StateWatch::take(StateSnapshot& snapshot) {
   for (world::Slot slot = 0; slot < entities.models().size(); ++slot) {
     const world::ModelRecord& model = entities.models()[slot];
     // static ones may be moved, too
-    if (!model.isStatic || model.parent == world::kNoSlot)
+    if (!model.isSetAside && (!model.isStatic || model.parent == world::kNoSlot))
       snapshot.places.push_back({model.id.value, world::poseInParent(entities, state, slot)});
   }
   for (world::Slot slot = 0; slot < entities.links().size(); ++slot) {
     const world::LinkRecord& link = entities.links()[slot];
     // the model moves with this one, which stays where it is in it
-    if (link.isStatic || entities.models()[link.model].canonicalLink == slot) continue;
+    if (link.isSetAside || link.isStatic || entities.models()[link.model].canonicalLink == slot) continue;
     snapshot.places.push_back({link.id.value, world::poseInModel(entities, state, slot)});
   }
   snapshot.joints.clear();
   for (world::Slot slot = 0; slot < entities.joints().size(); ++slot) {
     const std::size_t axes = entities.joints()[slot].description->axes.size();
-    if (axes == 0) continue;
+    if (axes == 0 || entities.joints()[slot].isSetAside) continue;
     const world::JointState& joint = state.joints[slot];
     snapshot.joints.push_back({entities.joints()[slot].id.value, axes > 1 ? 2 : 1, {joint.position, joint.position2}});
   }
