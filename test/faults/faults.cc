@@ -6,8 +6,9 @@
 //   PONGSIM_FAULT_DISK=N     after N bytes written to ordinary files the disk is full
 //   PONGSIM_FAULT_CLOCK=S:N  from the Nth look at the wall clock on it is S seconds later, which may be negative
 // Kinds: memory (operator new, mmap without a file), file (open, read, write, rename, fsync, mkdir on ordinary files
-// and folders), thread (pthread_create), socket (socket, bind, setsockopt, sendto, sendmsg, recvfrom, recvmsg). Memory
-// fails only where pongsim asks for it, itself or through the C++ library: what other libraries make of it is theirs.
+// and folders), thread (pthread_create), socket (socket, bind, setsockopt, sendto, sendmsg, recvfrom, recvmsg), edit
+// (memory while a model is inserted or removed: pongsimFaultsEdit). Memory fails only where pongsim asks for it, itself
+// or through the C++ library: what other libraries make of it is theirs.
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -35,8 +36,8 @@
 
 namespace {
 
-enum Kind { kMemory, kFile, kThread, kSocket, kKinds };
-constexpr std::array<const char*, kKinds> kNames = {"memory", "file", "thread", "socket"};
+enum Kind { kMemory, kFile, kThread, kSocket, kEdit, kKinds };
+constexpr std::array<const char*, kKinds> kNames = {"memory", "file", "thread", "socket", "edit"};
 
 std::array<std::atomic<std::uint64_t>, kKinds> counts;
 std::atomic<std::uint64_t> clockLooks, written;
@@ -47,6 +48,7 @@ std::int64_t clockJump = 0;
 bool isReady = false;
 /// The same holds in libraries that are being opened.
 thread_local int opening = 0;
+thread_local bool isEditing = false;
 int (*realMain)(int, char**, char**) = nullptr;
 
 /// Writes a message without functions that could fail in turn.
@@ -97,7 +99,7 @@ bool fails(Kind kind) {
   const std::uint64_t number = ++counts[kind];
   if (kind != failing || number != failingCall) return false;
   const int before = errno;
-  const bool isOne = kind != kMemory || isAskedByUs();
+  const bool isOne = (kind != kMemory && kind != kEdit) || isAskedByUs();
   errno = before;
   return isOne;
 }
@@ -132,7 +134,9 @@ int refuse(int error) {
 }
 
 void* allocate(std::size_t size, const void* asker) {
-  if (!isReady || !mayBeOurs(asker) || !fails(kMemory)) return std::malloc(size == 0 ? 1 : size);
+  const bool isOurs = isReady && mayBeOurs(asker);
+  const bool failsInEdit = isOurs && isEditing && fails(kEdit);
+  if (!isOurs || (!fails(kMemory) && !failsInEdit)) return std::malloc(size == 0 ? 1 : size);
   // operator new throws in this case
   if (const std::new_handler handler = std::get_new_handler()) handler();
   return nullptr;
@@ -178,6 +182,9 @@ __attribute__((destructor)) void end() {
 }
 
 }  // namespace
+
+/// Called by the system of world.sdf: whether its thread inserts or removes a model from now on.
+extern "C" void pongsimFaultsEdit(bool is) { isEditing = is; }
 
 // Memory. Allocations of the C library and of libraries in C are not affected.
 void* operator new(std::size_t size) {

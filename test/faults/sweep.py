@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Lets each allocation, file operation, thread start and socket call of a run fail in turn, one run each.
+"""Lets each allocation, file operation, thread start and socket call of a run fail in turn, one run each; those allocations
+during which a model is inserted or removed once more.
 
 A run must end as it would have, or with exit code 1 and an error, or say what it is without; it never crashes or hangs, and
 what it has recorded can be read. Exit code 1 where one does not, with what it was.
@@ -22,7 +23,7 @@ sys.path.insert(0, str(HERE.parent / "support"))
 from test_domain import take_domain  # noqa: E402
 
 WORLD = HERE / "world.sdf"
-KINDS = ("memory", "file", "thread", "socket")
+KINDS = ("memory", "file", "thread", "socket", "edit")
 #: Time for a continuing process to end, on a busy machine [s].
 DEADLINE = 120
 #: Exit codes of an orderly end: done, failed, an option of an extension that could not be read.
