@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "pongsim/bulk.hh"
@@ -191,19 +191,25 @@ PONGSIM_API std::optional<std::string> topicNameError(std::string_view name);
 /// @return A valid topic name made from a text, as in Fortress: spaces become `_`; `@`, `~`, `:=` and `//` are removed.
 PONGSIM_API std::string cleanTopic(std::string_view text);
 
-/// Wraps the calls of message and service functions, to handle their failures.
+/// Makes the calls of message and service functions, to handle their failures.
 class PONGSIM_API CallGuard {
  public:
+  /// When a function is called: by `Transport::dispatch`, or, if it hears at once, by `Publisher::publish`, on any
+  /// thread and maybe within another guard's call.
+  enum class Moment { kDispatch, kPublish };
+
   virtual ~CallGuard();
-  /// Called before each call.
-  /// @return Whether to make it.
-  virtual bool enter() = 0;
-  /// Called after each call.
-  virtual void leave() = 0;
-  /// Called before `leave` if the call has thrown.
-  virtual void failed(const std::exception& error) = 0;
+  /// Calls `function(data)`, or leaves it out. Throws nothing.
+  virtual void call(Moment moment, void (*function)(void* data), void* data) = 0;
   /// Called when a topic is advertised.
   virtual void advertised(std::string_view topic, std::string_view type) = 0;
+
+  /// The same for a function object.
+  template <class Function>
+  void call(Moment moment, Function&& function) {
+    call(
+        moment, [](void* data) { (*static_cast<std::remove_reference_t<Function>*>(data))(); }, &function);
+  }
 };
 
 /// Access to topics and services. Copies use the same transport.
@@ -248,8 +254,8 @@ class PONGSIM_API Node {
   /// Like `subscribe`, but messages of this transport's publishers are passed on immediately, within `publish` and on
   /// its thread, without copying or queueing. Messages of other processes, and latched ones when it is made, arrive
   /// within `Transport::dispatch` as usual. `heard` may be called by several threads, but only one at a time. It may
-  /// publish, but must not create or destroy publishers and subscriptions. Its exceptions go to the guard, or to the
-  /// publisher without one.
+  /// publish and end its own subscription, but must not create or destroy other publishers and subscriptions. Its
+  /// exceptions go to the guard, or to the publisher without one.
   Subscription subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
                                const SubscriptionOptions& options = {});
 
@@ -381,6 +387,8 @@ class PONGSIM_API Transport {
   /// Passes received messages to their subscriptions, then requests to their services, on the calling thread. Messages
   /// published meanwhile wait for the next call. Never blocks.
   /// @return The number of messages and requests handled.
+  /// @throws What a called function without a guard has thrown, after all others were called. Of several exceptions it
+  /// throws the first; the others are logged.
   std::size_t dispatch();
 
   /// Waits for messages, up to `timeout` or until `wake` is called; then does the same as `dispatch`.

@@ -57,32 +57,58 @@ bool SystemSlot::start(World& world, const std::optional<Model>& model, const st
   return false;
 }
 
-bool SystemSlot::begin(const char* phase) {
-  if (isOff_ || isResting_) return false;
-  phase_ = phase;
-  running_.emplace(crashName_.c_str(), phase);
-  access_.inSystem = true;
-  return true;
+/// Calls a function of the system on the simulation's thread, maybe within another system's call (or its own): what
+/// that one has commanded is put aside meanwhile.
+template <class Function>
+void SystemSlot::run(const char* phase, const Function& function) {
+  if (isOff_ || isResting_) return;
+  constexpr auto kRelaxed = std::memory_order_relaxed;
+  const bool isNested = access_.systemThread.load(kRelaxed) != std::thread::id();
+  std::optional<std::string> outerCommand;
+  if (isNested) outerCommand.swap(access_.badCommand);
+  access_.systemThread.store(std::this_thread::get_id(), kRelaxed);
+  attempt(phase, function);
+  if (access_.badCommand) switchOff(phase, *std::exchange(access_.badCommand, std::nullopt));
+  if (isNested) {
+    access_.badCommand.swap(outerCommand);
+  } else {
+    access_.systemThread.store(std::thread::id(), kRelaxed);
+  }
 }
 
-void SystemSlot::leave() {
-  access_.inSystem = false;
-  running_.reset();
-  if (!access_.badCommand) return;
-  switchOff(*std::exchange(access_.badCommand, std::nullopt));
+template <class Function>
+void SystemSlot::attempt(const char* phase, const Function& function) {
+  const base::RunningPart running(crashName_.c_str(), phase);
+  try {
+    function();
+  } catch (const std::exception& error) {
+    failed(phase, error);
+  } catch (...) {
+    switchOff(phase, "it threw something other than a std::exception");
+  }
 }
 
-void SystemSlot::failed(const std::exception& error) {
-  if (dynamic_cast<const Gone*>(&error) == nullptr) return switchOff(error.what());
+void SystemSlot::call(Moment moment, void (*function)(void* data), void* data) {
+  constexpr const char* kPhase = "in a message or request";
+  const auto call = [&] { function(data); };
+  if (moment == Moment::kDispatch || access_.systemThread == std::this_thread::get_id()) {
+    run(kPhase, call);
+  } else if (!isOff_ && !isResting_) {
+    // maybe on another thread than the simulation's, beside a system that runs there
+    attempt(kPhase, call);
+  }
+}
+
+void SystemSlot::failed(const char* phase, const std::exception& error) {
+  if (dynamic_cast<const Gone*>(&error) == nullptr) return switchOff(phase, error.what());
   // it has used a handle to what is gone, for which it can't be blamed
   isOff_ = true;
   log_.warning(std::string("stops until the next reset: ") + error.what());
 }
 
-void SystemSlot::switchOff(const std::string& why) {
-  if (isOff_) return;
-  isOff_ = true;
-  failed_(*this, std::string("failed ") + phase_ + ": " + why);
+void SystemSlot::switchOff(const char* phase, const std::string& why) {
+  if (isOff_.exchange(true)) return;
+  failed_(*this, std::string("failed ") + phase + ": " + why);
 }
 
 void SystemSlot::advertised(std::string_view topic, std::string_view) {
@@ -95,47 +121,34 @@ void SystemSlot::switchOn(Random random) {
   setRandom(random);
 }
 
-template <class Call>
-void SystemSlot::run(const char* phase, Call call) {
-  if (!begin(phase)) return;
-  try {
-    call(*parts_.system);
-  } catch (const std::exception& error) {
-    failed(error);
-  } catch (...) {
-    switchOff("it threw something other than a std::exception");
-  }
-  leave();
-}
-
-void SystemSlot::answer(const std::function<void()>& call) {
-  run("in the answer to an edit", [&](System&) { call(); });
-}
+void SystemSlot::answer(const std::function<void()>& call) { run("in the answer to an edit", call); }
 
 void SystemSlot::preUpdate(const StepInfo& info) {
-  run("in preUpdate", [&](System& system) { system.preUpdate(info); });
+  run("in preUpdate", [&] { system().preUpdate(info); });
 }
 
 void SystemSlot::update(const StepInfo& info) {
-  run("in update", [&](System& system) { system.update(info); });
+  run("in update", [&] { system().update(info); });
 }
 
 void SystemSlot::postUpdate(const StepInfo& info) {
-  run("in postUpdate", [&](System& system) { system.postUpdate(info); });
+  run("in postUpdate", [&] { system().postUpdate(info); });
 }
 
 void SystemSlot::worldChanged() {
-  run("in worldChanged", [](System& system) { system.worldChanged(); });
+  run("in worldChanged", [this] { system().worldChanged(); });
 }
 
 void SystemSlot::transfer(StateArchive& archive) {
   parts_.random.transfer(archive);
-  archive(isOff_);
+  bool isOff = isOff_;
+  archive(isOff);
+  isOff_ = isOff;
   parts_.system->transfer(archive);
 }
 
 void SystemSlot::reset() {
-  run("in reset", [](System& system) { system.reset(); });
+  run("in reset", [this] { system().reset(); });
 }
 
 }  // namespace pongsim::sim

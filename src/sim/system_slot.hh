@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -88,6 +89,8 @@ class SystemSlot final : public CallGuard {
   /// Calls a function of the system like its phases.
   void answer(const std::function<void()>& call);
   const Logger& log() const { return log_; }
+  /// @return The system's access to topics and services.
+  Node& node() { return node_; }
 
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
@@ -97,16 +100,17 @@ class SystemSlot final : public CallGuard {
   /// Saves or restores its state, with its random stream.
   void transfer(StateArchive& archive);
 
-  bool enter() override { return begin("in a message or request"); }
-  void leave() override;
-  void failed(const std::exception& error) override;
+  using CallGuard::call;
+  void call(Moment moment, void (*function)(void* data), void* data) override;
   void advertised(std::string_view topic, std::string_view type) override;
 
  private:
-  template <class Call>
-  void run(const char* phase, Call call);
-  void switchOff(const std::string& why);
-  bool begin(const char* phase);
+  template <class Function>
+  void run(const char* phase, const Function& function);
+  template <class Function>
+  void attempt(const char* phase, const Function& function);
+  void failed(const char* phase, const std::exception& error);
+  void switchOff(const char* phase, const std::string& why);
 
   Parts parts_;
   /// "the system diff-drive of rover", for crash reports.
@@ -120,10 +124,9 @@ class SystemSlot final : public CallGuard {
   Advertised advertised_;
   Declaration declaration_;
   std::vector<std::string> topics_;
-  bool isOff_ = false;
-  bool isResting_ = false;
-  const char* phase_ = "";
-  std::optional<base::RunningPart> running_;
+  // read by publishers' threads, too, whose messages it hears at once
+  std::atomic<bool> isOff_ = false;
+  std::atomic<bool> isResting_ = false;
 };
 
 }  // namespace pongsim::sim

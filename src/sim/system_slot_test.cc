@@ -112,6 +112,71 @@ TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsWhereItGetsAMessage) {
   EXPECT_EQ(said_, std::vector<std::string>{"obedient failed in a message or request: told to"});
 }
 
+TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsAnythingWhereItGetsAMessage) {
+  start([] { throw 7; });
+  Publisher publisher = transport_.node().advertise("/do", "ignition.msgs.Empty");
+  publisher.publish(*newMessage("ignition.msgs.Empty"));
+  EXPECT_NO_THROW(transport_.dispatch());
+  EXPECT_EQ(said_, std::vector<std::string>{
+                       "obedient failed in a message or request: it threw something other than a std::exception"});
+}
+
+/// One that hears at once what another one publishes in its turn.
+class SystemSlotAtOnce : public SystemSlotTest {
+ protected:
+  void startBoth(const std::function<void()>& hear) {
+    publisher_ = transport_.node().advertise("/said", "ignition.msgs.Empty");
+    start([this] {
+      publisher_.publish(*newMessage("ignition.msgs.Empty"));
+      if (speaksUp_) access_.refuse("a command of the publisher");
+    });
+    slots_.push_back(std::move(slot_));
+    start([] {});
+    subscription_ =
+        slot_->node().subscribeAtOnce("/said", "ignition.msgs.Empty", [this, hear](const Message&, const Bulk*) {
+          ++heard_;
+          hear();
+        });
+    slots_.push_back(std::move(slot_));
+  }
+  SystemSlot& publishing() { return *slots_.front(); }
+  SystemSlot& hearing() { return *slots_.back(); }
+
+  std::vector<std::unique_ptr<SystemSlot>> slots_;
+  Publisher publisher_;
+  Subscription subscription_;
+  int heard_ = 0;
+  bool speaksUp_ = false;
+};
+
+TEST_F(SystemSlotAtOnce, IsNotCalledWhenItIsSwitchedOffOrRests) {
+  startBoth([] { throw 7; });
+  publishing().preUpdate({});
+  publishing().preUpdate({});
+  EXPECT_EQ(heard_, 1);
+  EXPECT_EQ(said_, std::vector<std::string>{
+                       "obedient failed in a message or request: it threw something other than a std::exception"});
+  hearing().switchOn(Random(0, "obedient"));
+  hearing().setResting(true);
+  publishing().preUpdate({});
+  EXPECT_EQ(heard_, 1);
+  // nor on another thread's behalf, outside of a turn
+  publisher_.publish(*newMessage("ignition.msgs.Empty"));
+  EXPECT_EQ(heard_, 1);
+}
+
+TEST_F(SystemSlotAtOnce, IsBlamedForItsOwnCommandsAlone) {
+  startBoth([this] { access_.refuse("a command of the hearer"); });
+  publishing().preUpdate({});
+  EXPECT_EQ(said_, std::vector<std::string>{"obedient failed in a message or request: a command of the hearer"});
+  publishing().preUpdate({});
+  EXPECT_EQ(heard_, 1);
+  EXPECT_EQ(said_.size(), 1U) << "the publisher goes on";
+  speaksUp_ = true;
+  publishing().preUpdate({});
+  EXPECT_EQ(said_.back(), "obedient failed in preUpdate: a command of the publisher");
+}
+
 TEST_F(SystemSlotTest, LetsRestOneThatUsesWhatIsGone) {
   start([] { throw Gone("the model is gone"); });
   testing::internal::CaptureStderr();

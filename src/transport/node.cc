@@ -15,30 +15,15 @@ namespace pongsim {
 
 namespace {
 
-/// @return `call`, with the guard around it where there is one.
-template <class... Arguments>
-std::function<void(Arguments...)> guarded(CallGuard* guard, std::function<void(Arguments...)> call) {
-  if (guard == nullptr) return call;
-  return [guard, inner = std::move(call)](Arguments... arguments) {
-    if (!guard->enter()) return;
-    try {
-      inner(arguments...);
-    } catch (const std::exception& error) {
-      guard->failed(error);
-    }
-    guard->leave();
-  };
-}
+using Moment = CallGuard::Moment;
 
-/// @return `call`, for what is called in another's turn, which must not end with it.
+/// @return `call`, made by the guard where there is one.
 template <class... Arguments>
-std::function<void(Arguments...)> failingToItself(CallGuard& guard, std::function<void(Arguments...)> call) {
-  return [&guard, inner = std::move(call)](Arguments... arguments) {
-    try {
-      inner(arguments...);
-    } catch (const std::exception& error) {
-      guard.failed(error);
-    }
+std::function<void(Arguments...)> guarded(CallGuard* guard, std::function<void(Arguments...)> call,
+                                          Moment moment = Moment::kDispatch) {
+  if (guard == nullptr || !call) return call;
+  return [guard, moment, inner = std::move(call)](Arguments... arguments) {
+    guard->call(moment, [&] { inner(arguments...); });
   };
 }
 
@@ -167,18 +152,16 @@ Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type
                                    const SubscriptionOptions& options) {
   checkRate(options);
   const std::string name = transport::knownType(type);
-  if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
-  return Subscription(
-      std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name, std::move(heard), options));
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, *queue_, fullName(topic), name, guarded(guard_, std::move(heard), Moment::kPublish), options));
 }
 
 Subscription Node::subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
                                         const SubscriptionOptions& options) {
   checkRate(options);
   const std::string name = transport::anyType(type);
-  if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
-  return Subscription(
-      std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name, std::move(heard), options));
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, *queue_, fullName(topic), name, guarded(guard_, std::move(heard), Moment::kPublish), options));
 }
 
 std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
@@ -209,15 +192,16 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
                     ServiceHandler handler) {
   if (guard_ != nullptr) {
     handler = [guard = guard_, inner = std::move(handler)](const Message& request, Message& reply) {
-      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off or set aside");
-      ServiceAnswer answer = false;
-      try {
-        answer = inner(request, reply);
-      } catch (const std::exception& error) {
-        guard->failed(error);
-        answer = ServiceAnswer::refused(error.what());
-      }
-      guard->leave();
+      ServiceAnswer answer = ServiceAnswer::refused("the system is switched off or set aside");
+      guard->call(Moment::kDispatch, [&] {
+        answer = ServiceAnswer::refused("the system failed");
+        try {
+          answer = inner(request, reply);
+        } catch (const std::exception& error) {
+          answer = ServiceAnswer::refused(error.what());
+          throw;
+        }
+      });
       return answer;
     };
   }
@@ -238,20 +222,9 @@ PendingRequest::~PendingRequest() = default;
 
 PendingRequest Node::request(std::string_view service, const Message& request, std::string_view replyType,
                              Answered answered) {
-  if (guard_ != nullptr && answered) {
-    answered = [guard = guard_, inner = std::move(answered)](const CallResult& result, const Message& reply) {
-      if (!guard->enter()) return;
-      try {
-        inner(result, reply);
-      } catch (const std::exception& error) {
-        guard->failed(error);
-      }
-      guard->leave();
-    };
-  }
   auto state = std::make_unique<transport::RequestState>(*bus_);
-  state->number =
-      bus_->request(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered));
+  state->number = bus_->request(*queue_, fullName(service), request, transport::knownType(replyType),
+                                guarded(guard_, std::move(answered)));
   if (!state->number) return {};
   return PendingRequest(std::move(state));
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <thread>
 #include <unordered_map>
 #include <utility>
 
@@ -41,13 +43,13 @@ class Access {
   world::State& state;
   physics::Engine& engine;
   Logger log{"commands"};
-  /// Whether a system is running, and its first invalid command.
-  bool inSystem = false;
+  /// The thread on which a system is running, if one is, and that system's first invalid command.
+  std::atomic<std::thread::id> systemThread = std::thread::id();
   std::optional<std::string> badCommand = std::nullopt;
 
   /// Reports an invalid command.
   void refuse(std::string what) {
-    if (!inSystem) {
+    if (systemThread.load(std::memory_order_relaxed) != std::this_thread::get_id()) {
       log.warning(what);
     } else if (!badCommand) {
       badCommand = std::move(what);
