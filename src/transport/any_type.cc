@@ -153,13 +153,17 @@ void Bus::publisherFound(const std::string& topic, const std::string& type) {
   if (isMeant) foundTypes_.emplace_back(topic, type);
 }
 
-void Bus::hearFoundTypes() {
-  const std::lock_guard lock(setUp_);
+void Bus::hearFoundTypes(DispatchQueue& queue) {
   std::vector<std::pair<std::string, std::string>> found;
+  std::vector<Inbox*> ended;
   {
     const std::lock_guard foundLock(mutex_);
     found.swap(foundTypes_);
+    ended.swap(queue.endedWhileHearing);
   }
+  for (Inbox* inbox : ended) endSubscription(*inbox);
+  if (found.empty()) return;
+  const std::lock_guard lock(setUp_);
   for (const auto& [topic, type] : found) {
     for (const auto& any : anyTypes_) {
       if (any->topic == topic) hear(*any, type);

@@ -122,7 +122,7 @@ Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const 
   const std::lock_guard lock(setUp_);
   return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
     Inbox::Received later = [&channel, heard](const Message& message) {
-      const std::lock_guard hearing(channel.hearing);
+      const Hearing hearing(channel);
       heard(message, nullptr);
     };
     auto inbox = std::make_unique<Inbox>(channel, newMessage(type), std::move(later), options);
@@ -136,7 +136,7 @@ Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const 
   const std::lock_guard lock(setUp_);
   return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
     Inbox::ReceivedBytes later = [&channel, heard](std::span<const std::byte> bytes) {
-      const std::lock_guard hearing(channel.hearing);
+      const Hearing hearing(channel);
       heard(bytes.size(), [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
     };
     auto inbox = std::make_unique<Inbox>(channel, std::move(later), options);
@@ -203,9 +203,17 @@ void Bus::openReader(Channel& channel) {
 
 void Bus::endSubscription(Inbox& inbox) {
   DispatchQueue& queue = *inbox.queue;
+  Channel& channel = inbox.channel();
+  if (inbox.isAtOnce() && channel.hearer == std::this_thread::get_id()) {
+    // its function may be what is running, and this thread holds `hearing`, which is locked after the others
+    const std::lock_guard lock(mutex_);
+    inbox.ended = true;
+    queue.endedWhileHearing.push_back(&inbox);
+    queue.waiting = true;
+    return;
+  }
   const std::lock_guard dispatchLock(queue.dispatching);
   const std::lock_guard lock(setUp_);
-  Channel& channel = inbox.channel();
   if (!inbox.relays) ++queue.ownTopicsVersion;
   if (inbox.isAtOnce()) {
     const std::lock_guard hearing(channel.hearing);
@@ -335,19 +343,23 @@ std::size_t Bus::dispatch(DispatchQueue& queue) {
   } const release{*this, queue};
 
   std::size_t handedOver = 0;
-  hearFoundTypes();
+  hearFoundTypes(queue);
   collectArrivals(queue);
   for (const Arrival& arrival : queue.arrivals) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;
-    if (const std::optional<std::string> fault = inbox.handOver(*arrival.buffer)) {
+    std::optional<std::string> fault;
+    queue.attempt([&] { fault = inbox.handOver(*arrival.buffer); });
+    if (fault) {
       complain(inbox.channel(), arrival.buffer->sender, *fault);
     } else {
       ++handedOver;
     }
   }
   handedOver += server_.dispatch(queue);
-  return handedOver + client_.dispatch(queue);
+  handedOver += client_.dispatch(queue);
+  if (queue.failure) std::rethrow_exception(std::exchange(queue.failure, nullptr));
+  return handedOver;
 }
 
 std::size_t Bus::dispatchFor(DispatchQueue& queue, std::chrono::nanoseconds timeout) {
@@ -399,7 +411,8 @@ std::uint64_t Bus::received(const Inbox& inbox) const {
 
 std::uint64_t Bus::dropped(const Inbox& inbox) const {
   const Channel& channel = inbox.channel();
-  const std::uint64_t lost = channel.reader ? channel.reader->lost() - inbox.lostBefore : 0;
+  // other subscriptions' readers come and go beside one that receives only from its own transport
+  const std::uint64_t lost = !inbox.ownOnly && channel.reader ? channel.reader->lost() - inbox.lostBefore : 0;
   const std::lock_guard lock(mutex_);
   return inbox.dropped() + lost;
 }

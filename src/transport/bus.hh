@@ -134,7 +134,7 @@ class Bus {
   void hear(AnyType& any, const std::string& type) noexcept;
   void addInboxOf(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
-  void hearFoundTypes();
+  void hearFoundTypes(DispatchQueue& queue);
   bool isAwaited(const PublisherState& publisher) const;
   static bool isFor(const Inbox& inbox, const PublisherState* from);
   bool isWantedInBytes(PublisherState& publisher);

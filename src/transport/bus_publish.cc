@@ -68,11 +68,11 @@ bool Bus::isWantedInBytes(PublisherState& publisher) {
 void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk) {
   Channel& channel = publisher.channel;
   if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
-  const std::lock_guard hearing(channel.hearing);
-  // by number, for what is called may end subscriptions, or make some
+  const Hearing hearing(channel);
+  // by number: what is called may publish on this topic in turn
   for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
     const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
+    if (inbox.ended || inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
     if (inbox.heardAtOnce) {
       inbox.heardAtOnce(message, bulk);
     } else if (bulk != nullptr) {
@@ -88,12 +88,12 @@ void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bu
 void Bus::hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes) {
   Channel& channel = publisher.channel;
   if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
-  const std::lock_guard hearing(channel.hearing);
+  const Hearing hearing(channel);
   const auto copy = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
   bool isRead = false;
   for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
     const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
+    if (inbox.ended || inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
     if (inbox.heardBytesAtOnce) {
       inbox.heardBytesAtOnce(bytes.size(), copy);
       continue;

@@ -203,6 +203,34 @@ TEST_F(BusTest, GoesOnAfterAFunctionThatThrew) {
   EXPECT_EQ(heard_, (Words{"heard"}));
 }
 
+TEST_F(BusTest, CallsTheOtherFunctionsWhereOneThrows) {
+  Publisher a = node_.advertise<Int32>("/a");
+  const Subscription failing = node_.subscribe<Int32>(
+      "/a", [](const Int32& message) { throw std::runtime_error("no " + std::to_string(message.data())); });
+  const Subscription other = node_.subscribe<Int32>("/a", noteAs(""));
+  const Service service = node_.serve<Int32, Int32>("/double", [](const Int32&, Int32&) { return true; });
+  int answers = 0;
+  const auto answered = [&answers](const CallResult&, const Message&) {
+    ++answers;
+    throw std::runtime_error("the answer is no good");
+  };
+  const PendingRequest first = node_.request("/double", number(1), "ignition.msgs.Int32", answered);
+  const PendingRequest second = node_.request("/double", number(2), "ignition.msgs.Int32", answered);
+  a.publish(number(1));
+  a.publish(number(2));
+  std::string thrown;
+  try {
+    transport_.dispatch();
+  } catch (const std::exception& error) {
+    thrown = error.what();
+  }
+  EXPECT_EQ(thrown, "no 1");
+  EXPECT_EQ(heard_, (Words{"1", "2"}));
+  EXPECT_EQ(answers, 2);
+  EXPECT_EQ(failing.received() + failing.dropped(), 2);
+  EXPECT_EQ(transport_.dispatch(), 0);
+}
+
 TEST_F(BusTest, RefusesADispatchWithinADispatch) {
   Publisher a = node_.advertise<Int32>("/a");
   Subscription sub = node_.subscribe<Int32>("/a", [&](const Int32&) {

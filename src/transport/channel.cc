@@ -9,6 +9,11 @@
 
 namespace pongsim::transport {
 
+Hearing::Hearing(Channel& channel)
+    : channel_(channel), lock_(channel.hearing), outer_(channel.hearer.exchange(std::this_thread::get_id())) {}
+
+Hearing::~Hearing() { channel_.hearer = outer_; }
+
 Channel::Channel(std::string topicName, std::string typeName)
     : topic(std::move(topicName)), type(std::move(typeName)) {}
 

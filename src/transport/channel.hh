@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -19,6 +20,22 @@ class DispatchQueue;
 class Inbox;
 class Reader;
 class Writer;
+
+class Channel;
+
+/// A call of subscriptions at once: one thread at a time, which may publish on the same topic in turn.
+class Hearing {
+ public:
+  explicit Hearing(Channel& channel);
+  ~Hearing();
+  Hearing(const Hearing&) = delete;
+  Hearing& operator=(const Hearing&) = delete;
+
+ private:
+  Channel& channel_;
+  const std::lock_guard<std::recursive_mutex> lock_;
+  const std::thread::id outer_;
+};
 
 /// A topic with one type of message: all its publishers and subscriptions in this process.
 class Channel {
@@ -67,6 +84,8 @@ class Channel {
 
   /// Guards `atOnce`. Held while the subscriptions' functions are called, which may publish in turn.
   std::recursive_mutex hearing;
+  /// The thread that calls such a function, if any. Written with `hearing` held.
+  std::atomic<std::thread::id> hearer;
   /// Subscriptions that receive messages within `publish`.
   std::vector<Inbox*> atOnce;
   std::atomic<int> atOnceCount = 0;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -31,12 +32,27 @@ class DispatchQueue {
   /// Ended within `dispatch`, and kept until it returns.
   std::vector<Inbox*> endedInboxes;
   std::vector<std::unique_ptr<Offer>> endedOffers;
+  /// What a called function has thrown; `dispatch` throws it when it has called the others.
+  std::exception_ptr failure;
+
+  /// Calls a function of a subscription, service or request. Notes what it throws: the first exception in `failure`,
+  /// others in the log.
+  template <class Call>
+  void attempt(const Call& call) {
+    try {
+      call();
+    } catch (...) {
+      note(std::current_exception());
+    }
+  }
 
   /// The dispatching thread.
   std::atomic<std::thread::id> dispatcher;
 
   /// Guarded by the bus's mutex.
   std::vector<Inbox*> inboxesWithArrivals;
+  /// Subscriptions at once that ended within their own function; `dispatch` removes them.
+  std::vector<Inbox*> endedWhileHearing;
   bool woken = false;
   std::condition_variable arrived;
 
@@ -49,6 +65,9 @@ class DispatchQueue {
 
   /// Changes when a publisher or subscription of this queue's transport is added or removed.
   std::atomic<std::uint64_t> ownTopicsVersion = 0;
+
+ private:
+  void note(std::exception_ptr thrown);
 };
 
 }  // namespace pongsim::transport

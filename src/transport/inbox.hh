@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -66,7 +67,7 @@ class Inbox {
   DispatchQueue* queue = nullptr;
 
   /// Whether its subscription has ended.
-  bool ended = false;
+  std::atomic<bool> ended = false;
 
   /// Receive messages of their own transport within `publish`; at most one is set. Guarded by the channel's `hearing`.
   HeardAtOnce heardAtOnce;

@@ -316,6 +316,23 @@ TEST_F(NodeTest, CountsWhatASubscriberThatIsStoppedLoses) {
   EXPECT_GT(slow.dropped(), 0);
 }
 
+TEST_F(NodeTest, CountsNoLossesOfOthersForASubscriptionToItsOwnTransport) {
+  Transport sender;
+  Publisher publisher = sender.node().advertise<StringMsg>("/chatter");
+  Subscription slow = node_.subscribe<StringMsg>("/chatter", [](const StringMsg&) {});
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  // more at once than is kept for a reader that has not answered
+  const StringMsg large = text(std::string(std::size_t{8} << 20, 'x'));
+  ASSERT_TRUE(dispatchUntil([&] {
+    for (int i = 0; i < 6; ++i) publisher.publish(large);
+    return slow.dropped() > 0;
+  }));
+  const Subscription own = node_.subscribe<StringMsg>("/chatter", [](const StringMsg&) {}, {.ownOnly = true});
+  slow = {};
+  const Subscription next = node_.subscribe<StringMsg>("/chatter", [](const StringMsg&) {});
+  EXPECT_EQ(own.dropped(), 0);
+}
+
 TEST_F(NodeTest, KnowsThePeersTraffic) {
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
   const auto other = listener();

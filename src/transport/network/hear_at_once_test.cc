@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -124,6 +125,26 @@ TEST_F(HearAtOnce, MayPublishInTurn) {
   chatter.publish(textOf("hello"));
   transport_.dispatch();
   EXPECT_EQ(heard, std::vector<std::string>{"hello"});
+}
+
+TEST_F(HearAtOnce, MayEndItsOwnSubscription) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  int calls = 0;
+  auto owner = std::make_shared<int>();
+  const std::weak_ptr<int> watched = owner;
+  Subscription subscription =
+      node_.subscribeAtOnce("/chatter", "ignition.msgs.StringMsg", [&, owner](const Message&, const Bulk*) {
+        ++calls;
+        subscription = {};
+        EXPECT_FALSE(watched.expired()) << "the function that runs must not be destroyed";
+      });
+  owner.reset();
+  publisher.publish(textOf("one"));
+  publisher.publish(textOf("two"));
+  transport_.dispatch();
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(watched.expired());
+  EXPECT_FALSE(publisher.hasSubscribers());
 }
 
 TEST_F(HearAtOnce, IsGivenTheBulkToWriteItWhereItWants) {

@@ -222,7 +222,8 @@ void ServiceClient::answerOwn(const DispatchQueue& queue, std::uint64_t number,
   }
   if (!posted) return;
   const Posted& request = posted.mapped();
-  request.answered(read(request.service, header, message, *request.reply), *request.reply);
+  request.asker->attempt(
+      [&] { request.answered(read(request.service, header, message, *request.reply), *request.reply); });
 }
 
 std::size_t ServiceClient::dispatch(DispatchQueue& queue) {
@@ -242,7 +243,9 @@ std::size_t ServiceClient::dispatch(DispatchQueue& queue) {
     }
     if (!posted) continue;
     const Posted& request = posted.mapped();
-    request.answered(read(request.service, request.header, request.message, *request.reply), *request.reply);
+    queue.attempt([&] {
+      request.answered(read(request.service, request.header, request.message, *request.reply), *request.reply);
+    });
     ++called;
   }
   return called;

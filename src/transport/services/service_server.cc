@@ -182,16 +182,21 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
     return;
   }
   if (header->server != offer.writer->participant() || offer.ended) return;
-  if (!enqueue(offer,
-               {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}})) {
+  bool isAppended = false;
+  {
+    const std::lock_guard lock(mutex_);
+    isAppended =
+        append(offer, {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}});
+  }
+  if (!isAppended) {
     complain(offer, sender, "came while too many were waiting");
     return;
   }
   wake(offer.queue);
 }
 
-bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
-  const std::lock_guard lock(mutex_);
+/// @return Whether there is room for it. With the mutex held.
+bool ServiceServer::append(Offer& offer, Offer::Request request) {
   if (offer.ended || offer.waiting.size() >= kMaximumRequests) return false;
   if (!offer.waiting.empty() && offer.waitingBytes + request.message.size() > kMaximumBytes) return false;
   request.number = nextNumber_++;
@@ -207,10 +212,8 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
   {
     const std::lock_guard lock(mutex_);
     Offer* offer = find(asker, service);
-    if (offer == nullptr || offer->waiting.size() >= kMaximumRequests) return false;
-    const std::size_t bytes = message.size();
-    offer->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
-    offer->waitingBytes += bytes;
+    Offer::Request request{0, kOwn, call, std::chrono::steady_clock::now(), std::move(message)};
+    if (offer == nullptr || !append(*offer, std::move(request))) return false;
     queue = &offer->queue;
   }
   wake(*queue);
@@ -270,6 +273,10 @@ ServiceAnswer ServiceServer::ask(Offer& offer) {
   } catch (const std::exception& error) {
     serverLog().error("service '" + offer.name + "': " + error.what());
     return ServiceAnswer::refused(error.what());
+  } catch (...) {
+    static constexpr const char* kWhat = "it threw something other than a std::exception";
+    serverLog().error("service '" + offer.name + "': " + kWhat);
+    return ServiceAnswer::refused(kWhat);
   }
 }
 

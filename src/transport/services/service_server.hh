@@ -114,7 +114,7 @@ class ServiceServer {
   void openNext(const std::string& service);
   Offer* find(const DispatchQueue& asker, const std::string& service) const;
   void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
-  bool enqueue(Offer& offer, Offer::Request request);
+  bool append(Offer& offer, Offer::Request request);
   void takeReady(Offer& offer, std::vector<Ready>& ready);
   void handle(Offer& offer, const Offer::Request& request);
   ServiceAnswer ask(Offer& offer);

@@ -95,6 +95,23 @@ TEST_F(ServiceServerTest, HasRoomForAThousandRequests) {
   EXPECT_TRUE(server_.post(queue_, "/s", 1001, {}));
 }
 
+TEST_F(ServiceServerTest, HasRoomForSoManyBytesButOneRequest) {
+  offer([](const Message&, Message&) { return true; });
+  constexpr std::size_t kLarge = 20 << 20;
+  EXPECT_TRUE(server_.post(queue_, "/s", 1, std::vector<std::byte>(2 * kLarge)));
+  EXPECT_FALSE(server_.post(queue_, "/s", 2, {std::byte{0}}));
+  EXPECT_EQ(server_.dispatch(queue_), 1U);
+  EXPECT_TRUE(server_.post(queue_, "/s", 3, std::vector<std::byte>(kLarge)));
+  EXPECT_FALSE(server_.post(queue_, "/s", 4, std::vector<std::byte>(kLarge)));
+}
+
+TEST_F(ServiceServerTest, TakesWhateverAHandlerThrowsAsARefusal) {
+  offer([](const Message&, Message&) -> ServiceAnswer { throw 7; });
+  server_.post(queue_, "/s", 1, {});
+  server_.dispatch(queue_);
+  EXPECT_EQ(answers_, Answers{"1 refused it threw something other than a std::exception"});
+}
+
 TEST_F(ServiceServerTest, TellsWaitingCallersThatItHasGone) {
   Offer& gone = offer([](const Message&, Message&) { return true; });
   server_.post(queue_, "/s", 5, {});
