@@ -33,10 +33,15 @@ StopSignal::~StopSignal() {
   close(end_);
 }
 
-void StopSignal::onStop(std::function<void()> notify) {
-  const std::lock_guard lock(mutex_);
-  notify_ = std::move(notify);
-  if (stopped_ && notify_) notify_();
+StopSignal::Callback::Callback(StopSignal& signal, std::function<void()> notify) : signal_(signal) {
+  const std::lock_guard lock(signal.mutex_);
+  signal.notify_ = std::move(notify);
+  if (signal.stopped_) signal.notify_();
+}
+
+StopSignal::Callback::~Callback() {
+  const std::lock_guard lock(signal_.mutex_);
+  signal_.notify_ = nullptr;
 }
 
 void StopSignal::watch() {

@@ -7,8 +7,8 @@
 
 namespace pongsim::cli {
 
-/// Handles SIGINT and SIGTERM as requests to stop. Create it before other threads: they inherit that the two signals
-/// are blocked, so that this object's own thread gets them.
+/// Handles SIGINT and SIGTERM as requests to stop; a second one ends the process, however long stopping takes. Create
+/// it before other threads: they inherit that the two signals are blocked, so that this object's own thread gets them.
 class StopSignal {
  public:
   StopSignal();
@@ -19,9 +19,20 @@ class StopSignal {
   /// @return Whether such a signal has arrived.
   bool stopped() const { return stopped_; }
 
-  /// Calls `notify` when a signal arrives, on another thread, or immediately if one has arrived already; an empty
-  /// function cancels this. A second signal ends the process, however long the work takes to stop.
-  void onStop(std::function<void()> notify);
+  /// Calls a function when a signal arrives, on another thread, or immediately if one has arrived already, until this
+  /// object is destroyed. Declare it after everything that the function uses: it then never calls into what has been
+  /// destroyed, also if the work throws. One at a time.
+  class Callback {
+   public:
+    Callback(StopSignal& signal, std::function<void()> notify);
+    /// Waits for a call that is in progress.
+    ~Callback();
+    Callback(const Callback&) = delete;
+    Callback& operator=(const Callback&) = delete;
+
+   private:
+    StopSignal& signal_;
+  };
 
  private:
   void watch();

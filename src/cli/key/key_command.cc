@@ -65,7 +65,7 @@ class Keyboard {
 
 int Keyboard::run() {
   const KeyTerminal terminal(STDIN_FILENO);
-  signal_.onStop([this] { eventfd_write(stop_, 1); });
+  const StopSignal::Callback stop(signal_, [this] { eventfd_write(stop_, 1); });
   if (terminal.isTerminal()) say("keys go to " + options_.topic + "; q or Ctrl-C quits");
   if (!findListener(terminal.isTerminal())) return kFailed;
 
@@ -85,7 +85,6 @@ int Keyboard::run() {
     // a script must not outrun its listeners
     if (over || !terminal.isTerminal()) delivered = publisher_.waitForDelivery(options_.timeout) && delivered;
   }
-  signal_.onStop({});
   return delivered ? kDone : fail("not all keys were received on " + options_.topic);
 }
 

@@ -51,7 +51,7 @@ int ModelQuery::run() {
   if (!world) return kFailed;
   world_ = *world;
   if (options_.namesWorld && !print("\nRequesting state for world [" + world_ + "]...\n\n")) return kFailed;
-  signal_.onStop([this] { transport_.wake(); });
+  const StopSignal::Callback wake(signal_, [this] { transport_.wake(); });
   std::optional<int> code;
   auto next = std::chrono::steady_clock::now();
   for (std::uint64_t shown = 0; !code && !signal_.stopped();) {
@@ -61,7 +61,6 @@ int ModelQuery::run() {
     next += kFollowPeriod;
     waitUntil(next);
   }
-  signal_.onStop({});
   return code.value_or(kDone);
 }
 

@@ -181,13 +181,12 @@ int runWorlds(const RunCommandOptions& options) {
     };
   }
   sim::Server server(transport, worlds, run);
-  signal.onStop([&server] { server.stop(); });
+  const StopSignal::Callback stop(signal, [&server] { server.stop(); });
   std::string status;
   for (const auto& world : worlds) status += (status.empty() ? "" : "; ") + startLine(*world, options.run);
   tellReady(status);
   server.run();
   tellStopping();
-  signal.onStop({});
   if (options.hash && isPrinted) isPrinted = printHashes(worlds);
   return isPrinted ? kDone : kFailed;
 }

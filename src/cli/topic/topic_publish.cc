@@ -85,9 +85,8 @@ int publish(const PublishOptions& options) {
       return signal.stopped() ? kFailed : failWithoutSubscriber(topics, options);
     }
   }
-  signal.onStop([&transport] { transport.wake(); });
+  const StopSignal::Callback wake(signal, [&transport] { transport.wake(); });
   const bool isAll = publishAll(transport, publisher, options, signal);
-  signal.onStop({});
   if (!isAll || publisher.waitForDelivery(std::max<std::chrono::nanoseconds>(options.timeout, kDeliveryTime))) {
     return kDone;
   }

@@ -48,13 +48,12 @@ void TopicReader::read(TopicTask& task) {
     exitCode_ = task.take(message);
   };
   const Subscription subscription = transport_.node().subscribe(options_.topic, type_, take);
-  signal_.onStop([this] { transport_.wake(); });
+  const StopSignal::Callback wake(signal_, [this] { transport_.wake(); });
   while (!isOver()) {
     transport_.dispatchFor(wait());
     if (taken_ == 0) refuseWrongType();
     if (!exitCode_) exitCode_ = task.tick();
   }
-  signal_.onStop({});
 }
 
 /// Waits for a publisher, and sets `type_` to the type of its messages.

@@ -68,7 +68,7 @@ class WorldControl {
 };
 
 int WorldControl::run() {
-  signal_.onStop([this] { transport_.wake(); });
+  const StopSignal::Callback wake(signal_, [this] { transport_.wake(); });
   if (findWorld()) {
     switch (options_.action) {
       case WorldAction::kPause:
@@ -91,7 +91,6 @@ int WorldControl::run() {
         break;
     }
   }
-  signal_.onStop({});
   return exitCode_;
 }
 
