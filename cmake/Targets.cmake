@@ -17,7 +17,7 @@ function(pongsim_sources sources tests)
 endfunction()
 
 # pongsim_layer(NAME [SOURCES ...] [USES third-party targets ...] [COMPUTES | PARSES_OPTIONS])
-# A folder under src/, as object files for the library and for the layer's tests. Without SOURCES all of the folder's.
+# A folder under src/ or components/shared/, as object files for the library and for the layer's tests. Without SOURCES all of the folder's.
 # COMPUTES: most of a run's time is spent here, so it is optimized more. PARSES_OPTIONS: see pongsim_parses_options.
 function(pongsim_layer name)
   cmake_parse_arguments(arg "COMPUTES;PARSES_OPTIONS" "" "SOURCES;USES" ${ARGN})
@@ -35,7 +35,8 @@ function(pongsim_layer name)
   else()
     target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
   endif()
-  target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
+  target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src
+                                                    ${CMAKE_SOURCE_DIR}/components)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})

@@ -106,15 +106,14 @@ int listCached(const Options& options, bool worlds, const Session& session) {
     lines += address.url() + "/" + version + "\n";
   }
   if (options.raw) {
-    programs::print(lines);
-    return programs::kDone;
+    cli::print(lines);
+    return cli::kDone;
   }
   if (byHost.empty())
-    programs::print("The cache " + session.settings.cache.string() + " has no " + (worlds ? "worlds" : "models") +
-                    ".\n");
+    cli::print("The cache " + session.settings.cache.string() + " has no " + (worlds ? "worlds" : "models") + ".\n");
   for (const auto& [host, listing] : byHost)
-    programs::print(treeOf(host, listing, worlds ? "worlds" : "models", programs::outputHasColors()));
-  return programs::kDone;
+    cli::print(treeOf(host, listing, worlds ? "worlds" : "models", cli::hasColors(STDOUT_FILENO)));
+  return cli::kDone;
 }
 
 /// @return The cached versions of a model, one per line.
@@ -163,12 +162,12 @@ std::vector<FuelAddress> resolved(const Options& options, const Settings& settin
 }
 
 int reportOf(const std::vector<DownloadResult>& results) {
-  int code = programs::kDone;
+  int code = cli::kDone;
   for (const DownloadResult& each : results) {
     if (!each.folder.empty()) continue;
     const std::string version = each.address.version ? "/" + std::to_string(*each.address.version) : "";
-    programs::sayError("'" + each.address.url() + version + "' can't be downloaded: " + each.why, each.hint);
-    code = programs::kFailed;
+    cli::sayError("'" + each.address.url() + version + "' can't be downloaded: " + each.why, each.hint);
+    code = cli::kFailed;
   }
   return code;
 }
@@ -191,12 +190,12 @@ int removeCached(const FuelAddress& address, const Session& session) {
       if (!error) fs::remove_all(workplace.folder, error);
       if (error) throw Failure("'" + each.folder.string() + "' can't be deleted: " + error.message());
       fs::remove(each.folder.parent_path(), error);
-      programs::print("deleted " + each.folder.string() + "\n");
+      cli::print("deleted " + each.folder.string() + "\n");
       ++count;
     }
   }
   if (count == 0) throw Failure("'" + address.url() + "' is not in the cache");
-  return programs::kDone;
+  return cli::kDone;
 }
 
 }  // namespace
@@ -212,17 +211,17 @@ int list(const Options& options) {
   const std::string kind = worlds ? "world" : "model";
   for (const Server& server : servers) {
     const auto start = std::chrono::steady_clock::now();
-    if (!options.raw) programs::print("Fetching " + kind + " list from " + server.url + "...\n");
+    if (!options.raw) cli::print("Fetching " + kind + " list from " + server.url + "...\n");
     const Listing listing = listingOf(FuelServer(server, options.headers).list(worlds, options.owner.value_or("")));
     if (options.raw) {
-      programs::print(addressesOf(server.url, listing, worlds));
+      cli::print(addressesOf(server.url, listing, worlds));
       continue;
     }
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
-    programs::print("Received " + kind + " list (took " + std::to_string(ms.count()) + "ms).\n");
-    programs::print(treeOf(server.url, listing, kind + "s", programs::outputHasColors()));
+    cli::print("Received " + kind + " list (took " + std::to_string(ms.count()) + "ms).\n");
+    cli::print(treeOf(server.url, listing, kind + "s", cli::hasColors(STDOUT_FILENO)));
   }
-  return programs::kDone;
+  return cli::kDone;
 }
 
 int info(const Options& options) {
@@ -231,12 +230,12 @@ int info(const Options& options) {
   const std::string cached = cachedText(address, session.settings);
   if (options.offline || isFuelOffline() || options.cached) {
     if (cached.empty()) throw Failure("'" + address.url() + "' is not in the cache");
-    programs::print(address.url() + "\n" + cached);
-    return programs::kDone;
+    cli::print(address.url() + "\n" + cached);
+    return cli::kDone;
   }
   FuelServer server(serverOf(address, session.settings), options.headers);
-  programs::print(address.url() + "\n" + descriptionOf(server.details(address)) + cached);
-  return programs::kDone;
+  cli::print(address.url() + "\n" + descriptionOf(server.details(address)) + cached);
+  return cli::kDone;
 }
 
 int download(const Options& options) {
@@ -282,8 +281,8 @@ int remove(const Options& options) {
                      "use --cached to delete it from the cache of this machine");
   }
   FuelServer(server, options.headers).remove(address);
-  programs::print("deleted " + address.url() + " on the server\n");
-  return programs::kDone;
+  cli::print("deleted " + address.url() + " on the server\n");
+  return cli::kDone;
 }
 
 int check(const Options& options) {
@@ -292,23 +291,22 @@ int check(const Options& options) {
   for (const CachedVersion& each : cachedVersions(session.settings.cache)) {
     ++(each.address.isWorld ? worlds : models);
     const std::vector<std::string> faults = faultsOf(each);
-    for (const std::string& fault : faults) programs::print(each.folder.string() + ": " + fault + "\n");
+    for (const std::string& fault : faults) cli::print(each.folder.string() + ": " + fault + "\n");
     if (faults.empty()) continue;
     ++broken;
     const std::string address = each.address.url() + "/" + std::to_string(*each.address.version);
-    programs::print("  hint: pongsim fuel delete --cached -u " + address + " && pongsim fuel download -u " + address +
-                    "\n");
+    cli::print("  hint: pongsim fuel delete --cached -u " + address + " && pongsim fuel download -u " + address + "\n");
   }
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(session.settings.cache / ".pongsim", error)) {
     if (entry.path().extension() != ".zip") continue;
-    programs::print(entry.path().stem().string() + ": " + sizeText(sizeOf(entry.path())) +
-                    " of an interrupted download; the next one resumes it\n");
+    cli::print(entry.path().stem().string() + ": " + sizeText(sizeOf(entry.path())) +
+               " of an interrupted download; the next one resumes it\n");
   }
-  programs::print(std::to_string(models) + (models == 1 ? " model, " : " models, ") + std::to_string(worlds) +
-                  (worlds == 1 ? " world: " : " worlds: ") +
-                  (broken == 0 ? "all complete" : std::to_string(broken) + " broken") + "\n");
-  return broken == 0 ? programs::kDone : programs::kFailed;
+  cli::print(std::to_string(models) + (models == 1 ? " model, " : " models, ") + std::to_string(worlds) +
+             (worlds == 1 ? " world: " : " worlds: ") +
+             (broken == 0 ? "all complete" : std::to_string(broken) + " broken") + "\n");
+  return broken == 0 ? cli::kDone : cli::kFailed;
 }
 
 int fetch(const Options& options) {
@@ -335,19 +333,19 @@ int fetch(const Options& options) {
     results = downloads.run(addresses);
   } catch (const Failure& failure) {
     for (const std::string& line : lines) {
-      programs::print("failed " + line + "\t" + plain(failure.what()) + "\t" + plain(failure.hint()) + "\n");
+      cli::print("failed " + line + "\t" + plain(failure.what()) + "\t" + plain(failure.hint()) + "\n");
     }
-    return programs::kFailed;
+    return cli::kFailed;
   }
-  int code = programs::kDone;
+  int code = cli::kDone;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string key = keyOf(addresses[i]);
     const auto result = std::ranges::find(results, key, [](const DownloadResult& each) { return keyOf(each.address); });
     if (result != results.end() && !result->folder.empty()) {
-      programs::print("ok " + lines[i] + "\n");
+      cli::print("ok " + lines[i] + "\n");
     } else if (result != results.end()) {
-      code = programs::kFailed;
-      programs::print("failed " + lines[i] + "\t" + plain(result->why) + "\t" + plain(result->hint) + "\n");
+      code = cli::kFailed;
+      cli::print("failed " + lines[i] + "\t" + plain(result->why) + "\t" + plain(result->hint) + "\n");
     }
   }
   return code;

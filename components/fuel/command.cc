@@ -30,7 +30,7 @@ void checkHeaders(const std::vector<std::string>& headers) {
 }
 
 /// @return The work of an action, to be run once its options are in `given`.
-programs::Work workOf(Action action, const Given& given) {
+cli::Work workOf(Action action, const Given& given) {
   return [action, given] {
     checkHeaders(given->headers);
     if (given->offline) setenv("PONGSIM_OFFLINE", "1", 1);
@@ -38,10 +38,9 @@ programs::Work workOf(Action action, const Given& given) {
   };
 }
 
-CLI::App* addAction(CLI::App& program, programs::Work& work, const char* name, const char* help, Action action,
+CLI::App* addAction(CLI::App& program, cli::Work& work, const char* name, const char* help, Action action,
                     const Given& given) {
   CLI::App* command = program.add_subcommand(name, help);
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command
       ->add_option("-c,--config", given->config,
                    "Configuration with servers, tokens and cache (~/.ignition/fuel/config.yaml)")
@@ -101,7 +100,7 @@ void addJobs(CLI::App& command, const Given& given) {
 
 }  // namespace
 
-void addActions(CLI::App& program, programs::Work& work) {
+void addActions(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* help, Action action) {
     return addAction(program, work, name, help, action, given);
@@ -147,7 +146,7 @@ void addActions(CLI::App& program, programs::Work& work) {
   add("fetch", "", actions::fetch)->group("");
 }
 
-std::vector<std::string> checkedWords(std::vector<std::string> words) {
+std::vector<std::string> checkedWords(std::vector<std::string> words, const CLI::App&) {
   const std::string& action = words.front();
   const auto refuse = [&](const std::string& instead) {
     throw UsageError("'" + action + "' is not supported", instead);

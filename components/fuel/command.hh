@@ -8,10 +8,10 @@
 namespace pongsim::fuel {
 
 /// Adds the actions of `pongsim fuel`. They are also listed in share/fuel.json, for help and completion.
-void addActions(CLI::App& program, programs::Work& work);
+void addActions(CLI::App& program, cli::Work& work);
 
 /// @return The words of a command line.
 /// @throws UsageError for features of `ign fuel` that are not supported.
-std::vector<std::string> checkedWords(std::vector<std::string> words);
+std::vector<std::string> checkedWords(std::vector<std::string> words, const CLI::App& program);
 
 }  // namespace pongsim::fuel

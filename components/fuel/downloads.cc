@@ -235,7 +235,7 @@ void Downloads::work(Queue& queue) {
     }
     lock.lock();
     queue.all[index] = result;
-    if (!programs::isStopped()) {
+    if (!cli::isStopped()) {
       for (FuelAddress& address : needed) queue.add(std::move(address), false);
     }
     --queue.busy;

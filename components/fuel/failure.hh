@@ -4,8 +4,8 @@
 
 namespace pongsim::fuel {
 
-using programs::Failure;
-using programs::UsageError;
+using cli::Failure;
+using cli::UsageError;
 
 /// A failure that may not occur again: of the server or the network.
 class PassingFailure : public Failure {

@@ -121,7 +121,7 @@ struct Http::Transfer {
     }
   }
 
-  static int progress(void*, curl_off_t, curl_off_t, curl_off_t, curl_off_t) { return programs::isStopped() ? 1 : 0; }
+  static int progress(void*, curl_off_t, curl_off_t, curl_off_t, curl_off_t) { return cli::isStopped() ? 1 : 0; }
 };
 
 Http::Http() {

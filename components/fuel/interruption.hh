@@ -7,7 +7,7 @@ namespace pongsim::fuel {
 
 /// @throws Interrupted if a signal requested to stop; the caller cleans up.
 inline void checkInterruption() {
-  if (programs::isStopped()) throw Interrupted();
+  if (cli::isStopped()) throw Interrupted();
 }
 
 }  // namespace pongsim::fuel

@@ -4,12 +4,12 @@
 
 namespace {
 
-constexpr pongsim::programs::AddAction kActions[] = {pongsim::fuel::addActions};
+constexpr pongsim::cli::AddCommand kActions[] = {pongsim::fuel::addActions};
 
-constexpr pongsim::programs::Program kProgram{
+constexpr pongsim::cli::Program kProgram{
     .name = "pongsim fuel",
     .about = "List, download and manage models and worlds from Fuel servers, in a cache shared with Fortress",
-    .actions = kActions,
+    .commands = kActions,
     .footer =
         "Examples:\n"
         "  pongsim fuel list -t model -o OpenRobotics\n"
@@ -21,6 +21,6 @@ constexpr pongsim::programs::Program kProgram{
 }  // namespace
 
 int main(int argc, char** argv) {
-  pongsim::programs::takeStopSignals();
-  return pongsim::programs::run(argc, argv, kProgram);
+  pongsim::cli::takeStopSignals();
+  return pongsim::cli::run(argc, argv, kProgram);
 }

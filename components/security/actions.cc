@@ -20,8 +20,8 @@ namespace pongsim::security {
 namespace {
 
 namespace fs = std::filesystem;
-using programs::Failure;
-using programs::UsageError;
+using cli::Failure;
+using cli::UsageError;
 
 constexpr const char* kOwnName = "/pongsim";
 constexpr const char* kUsualFolder = "keystore";
@@ -201,9 +201,9 @@ int init(const Options& options) {
     throw Failure("there is already something at '" + place.string() + "', and nothing is overwritten",
                   "'pongsim security list " + place.string() + "' shows a keystore");
   }
-  programs::say("keystore '" + place.string() + "', with identity 'pongsim'\n  hint: pongsim run WORLD --secure " +
-                place.string());
-  return programs::kDone;
+  cli::say("keystore '" + place.string() + "', with identity 'pongsim'\n  hint: pongsim run WORLD --secure " +
+           place.string());
+  return cli::kDone;
 }
 
 int add(const Options& options) {
@@ -234,8 +234,8 @@ int add(const Options& options) {
         "keystore '" + keystore.string() + "' already has '" + name.substr(1) + "', and nothing is overwritten",
         "remove " + place.string() + " first, or use another name");
   }
-  programs::say("identity '" + name.substr(1) + "', valid until " + dayOf(readIdentity(place.string()).validUntil));
-  return programs::kDone;
+  cli::say("identity '" + name.substr(1) + "', valid until " + dayOf(readIdentity(place.string()).validUntil));
+  return cli::kDone;
 }
 
 int list(const Options& options) {
@@ -249,9 +249,9 @@ int list(const Options& options) {
     text += textOf(entry);
     array.push_back(jsonOf(entry));
   }
-  if (!options.asJson && text.empty()) programs::say("keystore '" + keystore + "' has no identity");
-  const int printed = programs::print(options.asJson ? array.dump(2) + "\n" : text);
-  return isFine ? printed : programs::kFailed;
+  if (!options.asJson && text.empty()) cli::say("keystore '" + keystore + "' has no identity");
+  const int printed = cli::print(options.asJson ? array.dump(2) + "\n" : text);
+  return isFine ? printed : cli::kFailed;
 }
 
 }  // namespace actions

@@ -141,7 +141,7 @@ TEST_F(Keystore, TakesNamesAsSros2HasThem) {
   EXPECT_EQ(readIdentity(identityFolder((keys_ / "fleet/robot_1").string())).name, "/fleet/robot_1");
   EXPECT_EQ(identitiesOf(keys_.string()), (std::vector<std::string>{"/fleet/robot_1", "/pongsim"}));
   for (const char* name : {"", "/", "a//b", "a/", "1st", "a/2", "../a", "a b", "r\xc3\xb6"}) {
-    EXPECT_THROW(actions::add(adding(name)), programs::UsageError) << name;
+    EXPECT_THROW(actions::add(adding(name)), cli::UsageError) << name;
   }
 }
 

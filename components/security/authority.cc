@@ -28,12 +28,12 @@ struct FreeMore {
 template <class T>
 using Owned = std::unique_ptr<T, FreeMore>;
 
-/// @throws programs::Failure if OpenSSL failed.
+/// @throws cli::Failure if OpenSSL failed.
 void require(bool isDone, const std::string& what) {
   if (isDone) return;
   char reason[256];
   ERR_error_string_n(ERR_get_error(), reason, sizeof reason);
-  throw programs::Failure("OpenSSL can't " + what + ": " + reason);
+  throw cli::Failure("OpenSSL can't " + what + ": " + reason);
 }
 
 std::string textIn(BIO& bio) {

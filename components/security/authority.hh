@@ -27,13 +27,13 @@ struct Credentials {
 };
 
 /// Creates a certificate authority: EC on P-256, self-signed with SHA-256.
-/// @throws programs::Failure
+/// @throws cli::Failure
 Credentials makeAuthority(int days);
 
 /// Creates credentials of a participant, "CN=/robot", signed by the authority. They are valid for this many days,
 /// starting a day ago, and no longer than the authority. The day allows for clocks that differ, and for Fast DDS, which
 /// reads the times in permissions in the local time zone.
-/// @throws programs::Failure
+/// @throws cli::Failure
 Credentials makeIdentity(const std::string& name, int days, const Credentials& authority);
 
 /// @throws KeystoreError if a file is missing, unreadable or not PEM, or if the key can be read by others or does not
@@ -41,7 +41,7 @@ Credentials makeIdentity(const std::string& name, int days, const Credentials& a
 Credentials readCredentials(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
 /// @return The text signed with S/MIME as DDS-Security requires: in clear text, followed by the signature.
-/// @throws programs::Failure
+/// @throws cli::Failure
 std::string signedBy(const Credentials& authority, const std::string& text);
 
 }  // namespace pongsim::security

@@ -18,10 +18,9 @@ namespace {
 
 using Given = std::shared_ptr<Options>;
 
-CLI::App* addAction(CLI::App& program, programs::Work& work, const char* name, const char* help,
+CLI::App* addAction(CLI::App& program, cli::Work& work, const char* name, const char* help,
                     int (*action)(const Options&), const Given& given) {
   CLI::App* command = program.add_subcommand(name, help);
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command->callback([action, given, &work] { work = [action, given] { return action(*given); }; });
   return command;
 }
@@ -35,7 +34,7 @@ void addDays(CLI::App& command, const Given& given, const char* help) {
             int days = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), days);
             if (error != std::errc() || end != text.data() + text.size() || days < 1 || days > kMost) {
-              throw programs::UsageError("option '--days' takes a number from 1 to 36500, not '" + text + "'");
+              throw cli::UsageError("option '--days' takes a number from 1 to 36500, not '" + text + "'");
             }
             given->days = days;
           },
@@ -81,7 +80,7 @@ void addPermissions(CLI::App& command, const Given& given) {
 
 }  // namespace
 
-void addActions(CLI::App& program, programs::Work& work) {
+void addActions(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<Options>();
   CLI::App* made =
       addAction(program, work, "init",

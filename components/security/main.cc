@@ -4,12 +4,12 @@
 
 namespace {
 
-constexpr pongsim::programs::AddAction kActions[] = {pongsim::security::addActions};
+constexpr pongsim::cli::AddCommand kActions[] = {pongsim::security::addActions};
 
-constexpr pongsim::programs::Program kProgram{
+constexpr pongsim::cli::Program kProgram{
     .name = "pongsim security",
     .about = "Creates and lists keystores, which secure topics and services.",
-    .actions = kActions,
+    .commands = kActions,
     .footer =
         "Examples:\n"
         "  pongsim security init keys\n"
@@ -20,4 +20,4 @@ constexpr pongsim::programs::Program kProgram{
 
 }  // namespace
 
-int main(int argc, char** argv) { return pongsim::programs::run(argc, argv, kProgram); }
+int main(int argc, char** argv) { return pongsim::cli::run(argc, argv, kProgram); }

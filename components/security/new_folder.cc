@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const char* what) {
-  throw programs::Failure("can't " + std::string(what) + " " + path.string() + ": " + std::strerror(errno));
+  throw cli::Failure("can't " + std::string(what) + " " + path.string() + ": " + std::strerror(errno));
 }
 
 /// Writes the whole text to the disk.

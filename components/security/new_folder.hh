@@ -10,7 +10,7 @@ namespace pongsim::security {
 class NewFolder {
  public:
   /// @param beside A folder on the same file system, created if missing.
-  /// @throws programs::Failure, like all functions here.
+  /// @throws cli::Failure, like all functions here.
   explicit NewFolder(const std::filesystem::path& beside);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
@@ -29,7 +29,7 @@ class NewFolder {
 };
 
 /// Creates a folder accessible only to its owner, with any missing parents.
-/// @throws programs::Failure
+/// @throws cli::Failure
 void makeFolders(const std::filesystem::path& folder);
 
 }  // namespace pongsim::security

@@ -41,7 +41,7 @@ TEST(NewFolder, TakesThePlaceOfAnEmptyFolderAndOfNothingElse) {
 TEST(NewFolder, SaysWhereItCanNotBe) {
   const test::TempFolder folder;
   folder.write("file", "text");
-  EXPECT_THROW(NewFolder(folder.path() / "file/below"), programs::Failure);
+  EXPECT_THROW(NewFolder(folder.path() / "file/below"), cli::Failure);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ int run(int argc, char** argv) { return run(argc, argv, kCommands); }
 
 bool pongsim_write_manual(const char* folder) {
   pongsim::cli::Work none;
-  const auto program = pongsim::cli::makeProgram(pongsim::cli::kOwnCommands, none);
+  const auto program = pongsim::cli::makeApp(pongsim::cli::programWith(pongsim::cli::kOwnCommands), none);
   return pongsim::cli::writeManual(pongsim::cli::manualPages(*program), folder);
 }
 

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <functional>
-
-namespace CLI {
-class App;
-}
+#include "shared/program/command_line.hh"
 
 namespace pongsim::cli {
 
-/// The work to do after the command line has been parsed.
-/// @return The exit code.
-using Work = std::function<int()>;
-
-/// Each function adds its subcommand (the first one an option) to `program`. The subcommand sets `work` if the user
-/// names it. Both must outlive the work.
+// The commands (`AddCommand`); the first one is an option.
 void addVersionOption(CLI::App& program, Work& work);
 /// With the options of installed extensions.
 void addRunCommand(CLI::App& program, Work& work);

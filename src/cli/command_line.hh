@@ -1,21 +1,16 @@
 #pragma once
 
-#include <memory>
 #include <span>
 
-#include "cli/command.hh"
+#include "shared/program/command_line.hh"
 
 namespace pongsim::cli {
 
-/// Adds a subcommand, like those in `command.hh`.
-using AddCommand = void (*)(CLI::App& program, Work& work);
+/// @return `pongsim` with these commands.
+Program programWith(std::span<const AddCommand> commands);
 
-/// @param commands Each adds its own subcommand, which sets `work` if the user names it.
-/// @return The program as users see it.
-std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work& work);
-
-/// Parses a whole command line, including the program's name. Runs nothing yet, except that it prints help if asked.
-/// @param commands The available commands.
+/// Parses a whole command line, including the program's name, which may be `ign` or `gz` (`ign_arguments.hh`). Runs
+/// nothing yet, except that it prints help if asked.
 /// @throws UsageError if it is invalid.
 Work workOf(int argc, char** argv, std::span<const AddCommand> commands);
 

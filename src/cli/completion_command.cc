@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/extension/extension_command.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -102,7 +103,6 @@ std::string script(const CLI::App& program, bool isZsh) {
 void addCompletionCommand(CLI::App& program, Work& work) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand("completion", "Print the script for shell completion");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command->add_option("SHELL", *shell, "bash or zsh")->type_name("");
   command->footer(
       "Examples:\n"

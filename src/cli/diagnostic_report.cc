@@ -1,5 +1,7 @@
 #include "cli/diagnostic_report.hh"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -10,7 +12,7 @@
 #include <utility>
 
 #include "base/report/log_sinks.hh"
-#include "cli/console.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 
@@ -89,13 +91,13 @@ SourceLines::File& SourceLines::fileNamed(const std::string& name) {
 
 void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine) {
   SourceLines lines;
-  const bool hasColors = errorsHaveColors();
+  const bool colored = hasColors(STDERR_FILENO);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     const LogLevel level = diagnostic.severity == Severity::kError ? LogLevel::kError : LogLevel::kWarning;
     tellSinks({level, "world", format(diagnostic)});
     if (diagnostic.severity < least) continue;
     const SourceExcerpt source = diagnostic.severity < leastWithLine ? SourceExcerpt() : lines.at(diagnostic.position);
-    std::fprintf(stderr, "%s\n", format(diagnostic, source, hasColors).c_str());
+    std::fprintf(stderr, "%s\n", format(diagnostic, source, colored).c_str());
   }
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

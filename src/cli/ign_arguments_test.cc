@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {

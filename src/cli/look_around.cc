@@ -1,6 +1,6 @@
 #include "cli/look_around.hh"
 
-#include "cli/console.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

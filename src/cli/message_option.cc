@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {

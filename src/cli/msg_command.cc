@@ -7,12 +7,13 @@
 #include <string_view>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/message_option.hh"
 #include "cli/own_folder.hh"
 #include "msgs/encoding/message_template.hh"
 #include "msgs/types/definition.hh"
 #include "pongsim/message.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -61,7 +62,6 @@ Work workFor(const MsgCommandLine& given) {
 void addMsgCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<MsgCommandLine>();
   CLI::App* command = program.add_subcommand("msg", "List message types, print the definition of one");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command->add_flag("-l,--list", given->list, "Print the message types, sorted")->disable_flag_override();
   command->add_flag("--json", given->json, "Print JSON: the list as an array, or an object with the type and its text")
       ->disable_flag_override();

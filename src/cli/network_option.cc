@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 #include "transport/udp/interfaces.hh"
 
 namespace pongsim::cli {

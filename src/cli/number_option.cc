@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/parse_number.hh"
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

@@ -3,8 +3,8 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "cli/console.hh"
 #include "pongsim/program/keystore.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/cli.hh"
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace {
 

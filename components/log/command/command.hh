@@ -4,13 +4,13 @@
 
 namespace pongsim::log {
 
-// The actions of `pongsim log` (`programs::AddAction`). Each is also listed in main.cc, and in share/log.json for help
+// The actions of `pongsim log` (`cli::AddCommand`). Each is also listed in main.cc, and in share/log.json for help
 // and completion.
-void addPlaybackAction(CLI::App& program, programs::Work& work);
-void addWorldAction(CLI::App& program, programs::Work& work);
-void addConvertAction(CLI::App& program, programs::Work& work);
-void addExportAction(CLI::App& program, programs::Work& work);
-void addInfoAction(CLI::App& program, programs::Work& work);
-void addRecordAction(CLI::App& program, programs::Work& work);
+void addPlaybackAction(CLI::App& program, cli::Work& work);
+void addWorldAction(CLI::App& program, cli::Work& work);
+void addConvertAction(CLI::App& program, cli::Work& work);
+void addExportAction(CLI::App& program, cli::Work& work);
+void addInfoAction(CLI::App& program, cli::Work& work);
+void addRecordAction(CLI::App& program, cli::Work& work);
 
 }  // namespace pongsim::log

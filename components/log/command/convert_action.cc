@@ -62,7 +62,7 @@ class Draft {
 void checkTarget(const ConvertCommandLine& given) {
   std::error_code error;
   if (fs::equivalent(given.file, given.output, error)) {
-    throw programs::UsageError("'" + given.output + "' is also the input", "choose another file with -o");
+    throw cli::UsageError("'" + given.output + "' is also the input", "choose another file with -o");
   }
   if (!given.overwrites && fs::exists(fs::symlink_status(given.output, error))) {
     throw Failure("'" + given.output + "' already exists", "use --force to overwrite it");
@@ -105,8 +105,7 @@ std::set<std::pair<std::string, std::string>, std::less<>> topicsOfOthers(const 
     if (encoding == "protobuf") continue;
     found.emplace(topic.name, topic.type);
     if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
-    programs::say("warning: '" + topic.name + "' is left out: its messages are in '" + encoding +
-                  "', not in 'protobuf'");
+    cli::say("warning: '" + topic.name + "' is left out: its messages are in '" + encoding + "', not in 'protobuf'");
   }
   return found;
 }
@@ -148,18 +147,17 @@ int convert(const ConvertCommandLine& given) {
   const std::uint64_t count = given.ros2.isWanted ? copyForRos2(log, selection, draft.path(), options, given)
                                                   : copy(log, selection, draft.path(), options);
   draft.finish();
-  if (const auto torn = log.reader().torn()) programs::say("warning: " + *torn);
-  programs::say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
-  return programs::kDone;
+  if (const auto torn = log.reader().torn()) cli::say("warning: " + *torn);
+  cli::say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addConvertAction(CLI::App& program, programs::Work& work) {
+void addConvertAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<ConvertCommandLine>();
   CLI::App* action =
       program.add_subcommand("convert", "Convert a log: to the other format, another compression, or fewer topics");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The log, .mcap or .tlog; a truncated one is converted as far as it goes")
       ->type_name("")
       ->required();

@@ -42,7 +42,7 @@ class Lines {
   }
   void flush() {
     if (name_.empty()) {
-      programs::print(pending_);
+      cli::print(pending_);
     } else {
       file_ << pending_ << std::flush;
       check();
@@ -94,7 +94,7 @@ class ExportTask {
       throw;
     }
     lines.flush();
-    if (const auto torn = log_.reader().torn()) programs::say("warning: " + *torn);
+    if (const auto torn = log_.reader().torn()) cli::say("warning: " + *torn);
   }
 
  private:
@@ -113,19 +113,17 @@ class ExportTask {
 };
 
 int exportLog(const ExportCommandLine& given) {
-  if (given.asCsv && !given.topic)
-    throw programs::UsageError("--csv needs a topic", "pongsim log export FILE TOPIC --csv");
+  if (given.asCsv && !given.topic) throw cli::UsageError("--csv needs a topic", "pongsim log export FILE TOPIC --csv");
   const LogFile log(given.file);
   ExportTask(given, log).run();
-  return programs::kDone;
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addExportAction(CLI::App& program, programs::Work& work) {
+void addExportAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<ExportCommandLine>();
   CLI::App* action = program.add_subcommand("export", "Print the messages of a log as CSV or as lines of JSON");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The log, .mcap or .tlog")->type_name("")->required();
   action->add_option("TOPIC", given->topic, "Only this topic (all; CSV needs one)")->type_name("");
   action->add_option("FIELD", given->fields, "Only these values, such as twist.linear.x or pose[0].position (all)")

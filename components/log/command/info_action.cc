@@ -142,17 +142,16 @@ std::string jsonOf(const LogInfo& info, const LogFile& log) {
 int tell(const InfoCommandLine& given) {
   const LogFile log(given.file);
   const LogInfo info = infoOf(given.file, log);
-  programs::print(given.asJson ? jsonOf(info, log) : textOf(info, log));
-  if (info.torn) programs::say("warning: " + *info.torn);
-  return programs::kDone;
+  cli::print(given.asJson ? jsonOf(info, log) : textOf(info, log));
+  if (info.torn) cli::say("warning: " + *info.torn);
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addInfoAction(CLI::App& program, programs::Work& work) {
+void addInfoAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<InfoCommandLine>();
   CLI::App* action = program.add_subcommand("info", "Print a log's topics, types, counts, rates and times");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The log, .mcap or .tlog")->type_name("")->required();
   action->add_flag("--json", given->asJson, "Print JSON: an object");
   action->footer("Example:\n  pongsim log info run.mcap");

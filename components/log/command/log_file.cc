@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 Format formatOf(const fs::path& file) {
   if (file.extension() == ".mcap") return Format::kMcap;
   if (file.extension() == ".tlog") return Format::kTlog;
-  throw programs::UsageError("'" + file.string() + "' is not a log", "the name must end in .mcap or .tlog");
+  throw cli::UsageError("'" + file.string() + "' is not a log", "the name must end in .mcap or .tlog");
 }
 
 LogFile::LogFile(const fs::path& file) {
@@ -56,7 +56,7 @@ Compression compressionFrom(const std::string& text) {
   if (text == "none") return Compression::kNone;
   const std::optional<Compression> compression = compressionOf(text);
   if (!compression || *compression == Compression::kNone) {
-    throw programs::UsageError("'" + text + "' is not a compression", "use zstd, lz4 or none");
+    throw cli::UsageError("'" + text + "' is not a compression", "use zstd, lz4 or none");
   }
   return *compression;
 }

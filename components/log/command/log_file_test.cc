@@ -57,12 +57,12 @@ TEST(LogFile, KnowsFormatsAndCompressionsByName) {
   EXPECT_EQ(formatOf("a.b/c.mcap"), Format::kMcap);
   EXPECT_EQ(formatOf("state.tlog"), Format::kTlog);
   for (const char* name : {"", "mcap", ".mcap", "a.MCAP", "a.mcap.zst"})
-    EXPECT_THROW(formatOf(name), programs::UsageError) << name;
+    EXPECT_THROW(formatOf(name), cli::UsageError) << name;
   EXPECT_EQ(compressionFrom("none"), Compression::kNone);
   EXPECT_EQ(compressionFrom("lz4"), Compression::kLz4);
   EXPECT_EQ(compressionFrom("zstd"), Compression::kZstd);
   // MCAP does not define it
-  for (const char* name : {"", "gzip"}) EXPECT_THROW(compressionFrom(name), programs::UsageError) << name;
+  for (const char* name : {"", "gzip"}) EXPECT_THROW(compressionFrom(name), cli::UsageError) << name;
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ std::unique_ptr<Writer> newLog(const fs::path& file, const McapOptions& options,
 
 void checkRos2Name(const fs::path& file) {
   if (formatOf(file) == Format::kTlog) {
-    throw programs::UsageError("'" + file.string() + "' can't contain ROS messages: a tlog holds only Gazebo messages",
-                               "with --ros2, the name must end in .mcap");
+    throw cli::UsageError("'" + file.string() + "' can't contain ROS messages: a tlog holds only Gazebo messages",
+                          "with --ros2, the name must end in .mcap");
   }
 }
 
@@ -40,7 +40,7 @@ std::unique_ptr<EncodedWriter> newRos2Log(const fs::path& file, const McapOption
   checkRos2Name(file);
   checkPlace(file, options);
   return std::make_unique<EncodedWriter>(file, options, ros2Encoder(wish),
-                                         [](const std::string& what) { programs::say("warning: " + what); });
+                                         [](const std::string& what) { cli::say("warning: " + what); });
 }
 
 void requireSomeOfRos2(const EncodedWriter& writer, bool hasLeftOut, const std::string& source) {

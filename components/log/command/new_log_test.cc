@@ -39,7 +39,7 @@ TEST_F(NewLogTest, HasTheFormatThatItsNameSays) {
     EXPECT_EQ(log.format(), format);
     EXPECT_EQ(log.reader().topics(), (std::vector<Topic>{{"/a", "ignition.msgs.Empty", 1}}));
   }
-  EXPECT_THROW(newLogAt(folder_.path() / "a.bag"), programs::UsageError);
+  EXPECT_THROW(newLogAt(folder_.path() / "a.bag"), cli::UsageError);
 }
 
 TEST_F(NewLogTest, LeavesWhatIsThere) {
@@ -59,8 +59,8 @@ TEST_F(NewLogTest, LeavesWhatIsThere) {
 
 TEST_F(NewLogTest, OfRosIsMcap) {
   EXPECT_NO_THROW(checkRos2Name("a.mcap"));
-  EXPECT_THROW(checkRos2Name("a.tlog"), programs::UsageError);
-  EXPECT_THROW(checkRos2Name("a"), programs::UsageError);
+  EXPECT_THROW(checkRos2Name("a.tlog"), cli::UsageError);
+  EXPECT_THROW(checkRos2Name("a"), cli::UsageError);
 }
 
 }  // namespace

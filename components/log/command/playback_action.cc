@@ -38,9 +38,8 @@ struct PlaybackOptions {
 /// @return Whether it reached its end before it was stopped.
 bool sleepUntil(Clock::time_point time) {
   constexpr std::chrono::milliseconds kLook{50};
-  while (!programs::isStopped() && Clock::now() < time)
-    std::this_thread::sleep_until(std::min(time, Clock::now() + kLook));
-  return !programs::isStopped();
+  while (!cli::isStopped() && Clock::now() < time) std::this_thread::sleep_until(std::min(time, Clock::now() + kLook));
+  return !cli::isStopped();
 }
 
 /// @return A topic's name and its new name.
@@ -48,7 +47,7 @@ std::pair<std::string, std::string> remapOf(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t sign = text.find(":=");
   if (sign == std::string::npos || sign == 0 || sign + 2 == text.size())
-    throw programs::UsageError("'" + text + "' is not a renaming", "write --remap /from:=/to");
+    throw cli::UsageError("'" + text + "' is not a renaming", "write --remap /from:=/to");
   return {text.substr(0, sign), text.substr(sign + 2)};
 }
 
@@ -56,7 +55,7 @@ TopicExpression expressionOf(const std::string& pattern) {
   try {
     return TopicExpression(pattern);
   } catch (const std::invalid_argument& error) {
-    throw programs::UsageError("'" + pattern + "' is not a regular expression: " + error.what());
+    throw cli::UsageError("'" + pattern + "' is not a regular expression: " + error.what());
   }
 }
 
@@ -77,32 +76,31 @@ Publishers advertise(Node node, const TlogReader& reader, const PlaybackOptions&
 
 int play(const PlaybackOptions& options) {
   const TlogReader reader(options.file);
-  if (const auto torn = reader.torn()) programs::say("warning: " + *torn);
+  if (const auto torn = reader.torn()) cli::say("warning: " + *torn);
   Transport transport;
   Publishers publishers = advertise(transport.node(), reader, options);
   if (publishers.empty()) throw Failure("'" + options.file + "' has no topic that '" + options.pattern + "' matches");
   std::vector<std::string> topics;
   for (const auto& [topic, publisher] : publishers) topics.push_back(topic.first);
-  if (!sleepUntil(Clock::now() + options.wait)) return programs::kDone;
+  if (!sleepUntil(Clock::now() + options.wait)) return cli::kDone;
   const std::optional<TimeRange> range = reader.timeRange();
   const Clock::time_point start = Clock::now();
   reader.forEach({.topics = topics}, [&](const Record& record) {
     if (!options.isFast && !sleepUntil(start + std::chrono::nanoseconds(record.timeNs - range->first))) return false;
     const auto publisher = publishers.find(std::pair(std::string(record.topic), std::string(record.type)));
     if (publisher != publishers.end()) publisher->second.publishBytes(std::as_bytes(std::span(record.payload)));
-    return !programs::isStopped();
+    return !cli::isStopped();
   });
   for (const auto& [topic, publisher] : publishers) publisher.waitForDelivery(std::chrono::seconds(5));
-  return programs::kDone;
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addPlaybackAction(CLI::App& program, programs::Work& work) {
+void addPlaybackAction(CLI::App& program, cli::Work& work) {
   const auto options = std::make_shared<PlaybackOptions>();
   CLI::App* action =
       program.add_subcommand("playback", "Publish the messages of a recording with their original timing");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [action](const char* names, const char* value, std::string& target, const char* help) {
     action->add_option(names, target, help)->type_name(value);
   };
@@ -116,7 +114,7 @@ void addPlaybackAction(CLI::App& program, programs::Work& work) {
             int ms = -1;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
             if (error != std::errc() || end != text.data() + text.size() || ms < 0)
-              throw programs::UsageError("option '--wait' takes a number of milliseconds, not '" + text + "'");
+              throw cli::UsageError("option '--wait' takes a number of milliseconds, not '" + text + "'");
             options->wait = std::chrono::milliseconds(ms);
           },
           "Wait MS milliseconds for subscribers (1000)")
@@ -128,11 +126,11 @@ void addPlaybackAction(CLI::App& program, programs::Work& work) {
       "  pongsim log playback --file rec/state.tlog\n"
       "  pongsim log playback --file rec.tlog --pattern '/model/.*' --remap /model/a/cmd_vel:=/cmd_vel -f");
   action->callback([options, &work] {
-    if (options->file.empty()) throw programs::UsageError("no file given", "pongsim log playback --file FILE.tlog");
+    if (options->file.empty()) throw cli::UsageError("no file given", "pongsim log playback --file FILE.tlog");
     remapOf(options->remap);
     expressionOf(options->pattern);
     work = [options] {
-      programs::takeStopSignals();
+      cli::takeStopSignals();
       return play(*options);
     };
   });

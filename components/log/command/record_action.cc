@@ -54,29 +54,29 @@ std::string counted(std::uint64_t count, const std::string& what) {
 
 void sayUnheard(const Recording& recording, const TopicChoice& choice) {
   for (const std::string& topic : choice.names()) {
-    if (!recording.hasHeard(topic)) programs::say("warning: no messages on '" + topic + "'");
+    if (!recording.hasHeard(topic)) cli::say("warning: no messages on '" + topic + "'");
   }
-  if (recording.messages() == 0) programs::say("warning: the log is empty; pongsim topic -l lists the topics");
+  if (recording.messages() == 0) cli::say("warning: the log is empty; pongsim topic -l lists the topics");
 }
 
 void sayLost(const Recording& recording) {
   std::uint64_t sum = 0;
   for (const auto& [topic, count] : recording.lost()) {
     sum += count;
-    programs::say("warning: " + counted(count, "message") + " of '" + topic + "' lost");
+    cli::say("warning: " + counted(count, "message") + " of '" + topic + "' lost");
   }
-  if (sum > 0) programs::say("warning: this process or the disk was too slow: record fewer topics");
+  if (sum > 0) cli::say("warning: this process or the disk was too slow: record fewer topics");
 }
 
 /// Records until the user stops it or the time is over.
 void recordWhile(Recording& recording, const std::string& file, std::chrono::nanoseconds duration) {
   const Clock::time_point start = Clock::now();
-  programs::say("recording to " + file + "; Ctrl-C ends it");
-  while (!programs::isStopped() && Clock::now() - start < duration) recording.goOn();
+  cli::say("recording to " + file + "; Ctrl-C ends it");
+  while (!cli::isStopped() && Clock::now() - start < duration) recording.goOn();
 }
 
 void sayWritten(std::uint64_t messages, std::size_t topics, const std::string& file) {
-  programs::say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
+  cli::say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
 }
 
 /// Removes the file of an empty recording; otherwise repeating the command would be refused.
@@ -94,7 +94,7 @@ int record(RecordCommandLine& given) {
   const std::string file = given.output.value_or(defaultName(given.ros2));
   const McapOptions options{.overwrites = given.overwrites, .compression = compressionFrom(given.compression)};
 
-  programs::takeStopSignals();
+  cli::takeStopSignals();
   TransportOptions where;
   if (given.network) where.interface = *given.network;
   Transport transport(where);
@@ -110,7 +110,7 @@ int record(RecordCommandLine& given) {
     requireSomeOfRos2(*writer, writer->hasLeftOut(), "the recorded topics");
     sayWritten(writer->messages(), writer->topics(), file);
     sayUnheard(recording, choice);
-    return programs::kDone;
+    return cli::kDone;
   }
   const std::unique_ptr<Writer> writer =
       newLog(file, options, [](std::string_view, std::string_view type) { return protobufDefinition(type); });
@@ -120,15 +120,14 @@ int record(RecordCommandLine& given) {
   sayLost(recording);
   sayWritten(recording.messages(), recording.topics(), file);
   sayUnheard(recording, choice);
-  return programs::kDone;
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addRecordAction(CLI::App& program, programs::Work& work) {
+void addRecordAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<RecordCommandLine>();
   CLI::App* action = program.add_subcommand("record", "Record topics of running worlds, until Ctrl-C");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action
       ->add_option("TOPIC", given->topics,
                    "Topics such as /odom, or regular expressions for whole names such as '/model/.*' (all)")
@@ -151,7 +150,7 @@ void addRecordAction(CLI::App& program, programs::Work& work) {
           "-v,--verbose",
           [](const std::string& level) {
             if (level.size() != 1 || level[0] < '0' || level[0] > '4') {
-              throw programs::UsageError("option '-v' takes a level from 0 to 4, not '" + level + "'");
+              throw cli::UsageError("option '-v' takes a level from 0 to 4, not '" + level + "'");
             }
             setLogLevel(static_cast<LogLevel>(level[0] - '0'));
           },
@@ -166,7 +165,7 @@ void addRecordAction(CLI::App& program, programs::Work& work) {
           [](const std::string& place) {
             // an empty one would mean: not secured
             if (place.empty()) {
-              throw programs::UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
+              throw cli::UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
             }
             secureBy(place);
           },

@@ -41,7 +41,7 @@ void Recording::look() {
     } catch (const KeystoreError& error) {
       // it was not requested by name
       refused_.insert(topic.name);
-      programs::say(std::string(error.what()) + "; it is not recorded");
+      cli::say(std::string(error.what()) + "; it is not recorded");
     }
   }
 }

@@ -41,10 +41,10 @@ std::unique_ptr<MessageEncoder> ros2Encoder(const Ros2Wish& wish) {
   const Diagnostic* last = nullptr;
   for (const Diagnostic& each : diagnostics.all()) {
     if (each.severity == Severity::kWarning) {
-      programs::say("warning: " + placed(each) + (each.hint.empty() ? "" : "\n  hint: " + each.hint));
+      cli::say("warning: " + placed(each) + (each.hint.empty() ? "" : "\n  hint: " + each.hint));
       continue;
     }
-    if (last != nullptr) programs::sayError(placed(*last), last->hint);
+    if (last != nullptr) cli::sayError(placed(*last), last->hint);
     last = &each;
   }
   if (last != nullptr) throw Failure(placed(*last), last->hint);

@@ -45,7 +45,7 @@ std::int64_t timeFrom(const std::string& option, const std::string& text) {
   double seconds = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (error != std::errc() || end != text.data() + text.size() || !(seconds >= 0) || seconds > 9e9) {
-    throw programs::UsageError("option '" + option + "' takes a number of seconds, not '" + text + "'");
+    throw cli::UsageError("option '" + option + "' takes a number of seconds, not '" + text + "'");
   }
   return std::llround(seconds * 1e9);
 }

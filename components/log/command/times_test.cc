@@ -24,7 +24,7 @@ TEST(Times, OfTheWallAreDates) {
 TEST(Times, AreReadFromOptions) {
   EXPECT_EQ(timeFrom("--from", "1.5"), 1'500'000'000);
   for (const char* wrong : {"", "x", "1s", "-1", "nan", "inf", "1e10"}) {
-    EXPECT_THROW(timeFrom("--from", wrong), programs::UsageError) << wrong;
+    EXPECT_THROW(timeFrom("--from", wrong), cli::UsageError) << wrong;
   }
 }
 

@@ -25,8 +25,8 @@ TopicChoice::TopicChoice(const std::vector<std::string>& words) {
     try {
       expressions_.emplace_back(word);
     } catch (const std::invalid_argument& error) {
-      throw programs::UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
-                                 "such as /odom or '/model/.*'");
+      throw cli::UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
+                            "such as /odom or '/model/.*'");
     }
   }
   if (words.empty()) expressions_.emplace_back(".+");

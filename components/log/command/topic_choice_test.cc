@@ -22,7 +22,7 @@ TEST(TopicChoice, IsAllWithoutWords) {
   EXPECT_TRUE(TopicChoice({}).names().empty());
 }
 
-TEST(TopicChoice, RefusesWhatIsNoExpression) { EXPECT_THROW(TopicChoice({"/a(b"}), programs::UsageError); }
+TEST(TopicChoice, RefusesWhatIsNoExpression) { EXPECT_THROW(TopicChoice({"/a(b"}), cli::UsageError); }
 
 }  // namespace
 }  // namespace pongsim::log

@@ -48,24 +48,23 @@ int printWorld(const std::string& path) {
   const TlogReader reader(files.stateFile());
   const std::string world = recordedWorld(reader);
   if (world.empty()) {
-    programs::say("the recording does not contain the world's SDF: the models are made from the states");
-    programs::print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
+    cli::say("the recording does not contain the world's SDF: the models are made from the states");
+    cli::print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
   } else {
-    programs::print(playedSdf(world, files, worldNameIn(reader)));
+    cli::print(playedSdf(world, files, worldNameIn(reader)));
   }
-  return programs::kDone;
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addWorldAction(CLI::App& program, programs::Work& work) {
+void addWorldAction(CLI::App& program, cli::Work& work) {
   const auto path = std::make_shared<std::string>();
   CLI::App* action = program.add_subcommand("world", "Print the SDF world that plays a recording");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("PATH", *path, "Folder of the recording, zip file of one, or .tlog file")->type_name("");
   action->footer("Examples:\n  pongsim log world ~/rec > played.sdf");
   action->callback([path, &work] {
-    if (path->empty()) throw programs::UsageError("no recording given", "pongsim log world PATH");
+    if (path->empty()) throw cli::UsageError("no recording given", "pongsim log world PATH");
     work = [path] { return printWorld(*path); };
   });
 }

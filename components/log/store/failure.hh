@@ -5,6 +5,6 @@
 namespace pongsim::log {
 
 /// Why a log can't be written or read; names the file.
-using programs::Failure;
+using cli::Failure;
 
 }  // namespace pongsim::log

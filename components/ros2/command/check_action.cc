@@ -9,12 +9,13 @@
 
 #include "pongsim/diagnostic.hh"
 #include "ros2/command/command.hh"
-#include "ros2/command/console.hh"
 #include "ros2/command/rows.hh"
 #include "ros2/config/bridge_file.hh"
 #include "ros2/config/quality.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/node/names.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::ros2 {
 
@@ -124,30 +125,27 @@ void tell(const Diagnostics& diagnostics, const std::string& file) {
 
 int check(const CheckCommandLine& given) {
   if (const auto wrong = rosNameError(absoluteName(given.nameSpace, given.nodeName))) {
-    throw UsageError("the node '" + absoluteName(given.nameSpace, given.nodeName) + "' " + *wrong);
+    throw cli::UsageError("the node '" + absoluteName(given.nameSpace, given.nodeName) + "' " + *wrong);
   }
   Diagnostics diagnostics;
   const std::vector<RuleText> texts = readBridgeFile(given.file, diagnostics);
   const NameScope scope{absoluteName("/", given.nameSpace), given.nodeName, given.expandsIgnition};
   const Rules rules = makeRules(texts, scope, diagnostics);
-  const int code = diagnostics.hasErrors() ? kFailed : kDone;
+  const int code = diagnostics.hasErrors() ? cli::kFailed : cli::kDone;
   if (given.asJson) {
     Json all = jsonOf(rules);
     all["diagnostics"] = jsonOf(diagnostics);
-    const int printed = print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-    return printed == kDone ? code : printed;
+    return cli::print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n") ? code : cli::kFailed;
   }
   tell(diagnostics, given.file);
-  const int printed = print(tableOf(rules));
-  return printed == kDone ? code : printed;
+  return cli::print(tableOf(rules)) ? code : cli::kFailed;
 }
 
 }  // namespace
 
-void addCheckAction(CLI::App& program, Work& work) {
+void addCheckAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<CheckCommandLine>();
   CLI::App* action = program.add_subcommand("check", "Explain a ros_gz_bridge configuration and report its mistakes");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The configuration, in YAML")->type_name("")->required();
   const auto add = [action](const char* name, const char* value, const char* help, std::string& target) {
     action->add_option(name, target, help)->type_name(value);

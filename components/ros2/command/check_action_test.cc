@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "ros2/command/command.hh"
-#include "ros2/command/command_line.hh"
-#include "ros2/command/console.hh"
+#include "shared/program/console.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::ros2 {
@@ -22,10 +21,10 @@ class CheckTest : public testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
-    constexpr AddAction kActions[] = {addCheckAction};
+    constexpr cli::AddCommand kActions[] = {addCheckAction};
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = run(static_cast<int>(argv.size()), argv.data(), kActions);
+    const int code = cli::run(static_cast<int>(argv.size()), argv.data(), {.commands = kActions});
     printed_ = testing::internal::GetCapturedStdout();
     said_ = testing::internal::GetCapturedStderr();
     return code;
@@ -42,7 +41,7 @@ constexpr const char* kScanPair =
     "   gz_type_name: gz.msgs.LaserScan, direction: GZ_TO_ROS, qos_profile: SENSOR_DATA, frame_id: laser}\n";
 
 TEST_F(CheckTest, SaysWhatAConfigurationDoes) {
-  EXPECT_EQ(check(kScanPair, {"--namespace", "/robot"}), kDone);
+  EXPECT_EQ(check(kScanPair, {"--namespace", "/robot"}), cli::kDone);
   EXPECT_EQ(printed_,
             "/robot/scan [sensor_msgs/msg/LaserScan]  <-  /lidar [ignition.msgs.LaserScan]  "
             "to ROS: best_effort, volatile, depth 5, lazy; frame laser\n");
@@ -52,7 +51,7 @@ TEST_F(CheckTest, SaysWhatAConfigurationDoes) {
 TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
   EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n  ros_type_name: std_msgs/msg/Strin\n"
                                            "  gz_type_name: gz.msgs.StringMsg\n"),
-            kFailed);
+            cli::kFailed);
   EXPECT_EQ(said_, file_ +
                        ":4:18: error: 'std_msgs/msg/Strin' is not a ROS type that can be bridged\n"
                        "      ros_type_name: std_msgs/msg/Strin\n"
@@ -62,7 +61,7 @@ TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
 }
 
 TEST_F(CheckTest, PrintsJson) {
-  EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n", {"--json"}), kFailed);
+  EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n", {"--json"}), cli::kFailed);
   const auto json = nlohmann::json::parse(printed_);
   EXPECT_EQ(json.at("topics").at(0).at("ros"), "/scan");
   EXPECT_EQ(json.at("topics").at(0).at("to_ros").at("reliability"), "best_effort");
@@ -73,11 +72,11 @@ TEST_F(CheckTest, PrintsJson) {
 }
 
 TEST_F(CheckTest, FailsWhereTheFileIsNotThere) {
-  constexpr AddAction kActions[] = {addCheckAction};
+  constexpr cli::AddCommand kActions[] = {addCheckAction};
   std::string words[] = {"pongsim-ros2", "check", folder_.path() / "none.yaml"};
   char* argv[] = {words[0].data(), words[1].data(), words[2].data()};
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run(3, argv, kActions), kFailed);
+  EXPECT_EQ(cli::run(3, argv, {.commands = kActions}), cli::kFailed);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), words[2] + ": error: the file can't be read\n");
 }
 

@@ -19,10 +19,11 @@
 #include "pongsim/node.hh"
 #include "pongsim/program/nearest_word.hh"
 #include "ros2/command/command.hh"
-#include "ros2/command/console.hh"
 #include "ros2/command/description_source.hh"
 #include "ros2/command/domain_options.hh"
 #include "ros2/command/single_dash.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::ros2 {
 
@@ -53,7 +54,7 @@ double numberOf(const std::string& option, const std::string& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) {
-    throw UsageError("option '" + option + "' takes a number, not '" + text + "'");
+    throw cli::UsageError("option '" + option + "' takes a number, not '" + text + "'");
   }
   return number;
 }
@@ -61,10 +62,10 @@ double numberOf(const std::string& option, const std::string& text) {
 CreateOptions optionsOf(const CreateCommandLine& given) {
   const std::string* sources[] = {&given.file, &given.topic, &given.parameter, &given.text};
   const auto count = std::ranges::count_if(sources, [](const std::string* each) { return !each->empty(); });
-  if (count == 0) throw UsageError("nothing to create", "use -file, -topic, -param or -string");
-  if (count > 1) throw UsageError("use only one of -file, -topic, -param and -string");
-  if (!given.owner.empty() && given.parameter.empty()) throw UsageError("option '--node' needs '-param'");
-  CreateOptions options{given, {}, {}, {std::nullopt, [](std::string_view what) { say(what); }}, {}};
+  if (count == 0) throw cli::UsageError("nothing to create", "use -file, -topic, -param or -string");
+  if (count > 1) throw cli::UsageError("use only one of -file, -topic, -param and -string");
+  if (!given.owner.empty() && given.parameter.empty()) throw cli::UsageError("option '--node' needs '-param'");
+  CreateOptions options{given, {}, {}, {std::nullopt, [](std::string_view what) { cli::say(what); }}, {}};
   const auto number = [&](const char* name) {
     const auto found = given.pose.find(name);
     return found == given.pose.end() ? 0 : numberOf(std::string("-") + name, found->second);
@@ -74,7 +75,8 @@ CreateOptions optionsOf(const CreateCommandLine& given) {
   if (!given.timeout.empty()) {
     const double milliseconds = numberOf("--timeout", given.timeout);
     // a year stands for no limit
-    if (milliseconds < 0) throw UsageError("option '--timeout' takes a number from 0 up, not '" + given.timeout + "'");
+    if (milliseconds < 0)
+      throw cli::UsageError("option '--timeout' takes a number from 0 up, not '" + given.timeout + "'");
     options.search.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, 3e10)));
   }
   options.participant = given.domain->participant();
@@ -109,19 +111,19 @@ std::optional<std::string> findWorld(Transport& transport, const CreateOptions& 
     if (wanted.empty() && worlds.size() > 1) {
       std::string names;
       for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
-      fail("several worlds are running: " + names, "choose with -world WORLD");
+      cli::fail("several worlds are running: " + names, "choose with -world WORLD");
       return std::nullopt;
     }
     const auto waited = Clock::now() - start;
     if (options.search.timeout && waited >= *options.search.timeout) {
-      fail(wanted.empty() ? "no world is running" : "no world '" + options.given.world + "' is running",
-           worlds.empty() ? "start one with pongsim run WORLD"
-                          : didYouMean(wanted, std::vector<std::string_view>(worlds.begin(), worlds.end())));
+      cli::fail(wanted.empty() ? "no world is running" : "no world '" + options.given.world + "' is running",
+                worlds.empty() ? "start one with pongsim run WORLD"
+                               : didYouMean(wanted, std::vector<std::string_view>(worlds.begin(), worlds.end())));
       return std::nullopt;
     }
     if (!hasSaid && waited > std::chrono::seconds(1)) {
       hasSaid = true;
-      say(wanted.empty() ? "waiting for a world" : "waiting for the world '" + options.given.world + "'");
+      cli::say(wanted.empty() ? "waiting for a world" : "waiting for the world '" + options.given.world + "'");
     }
     transport.dispatchFor(std::chrono::milliseconds(50));
   }
@@ -147,12 +149,12 @@ bool describe(const CreateOptions& options, ignition::msgs::EntityFactory& reque
                                ? descriptionFromParameter(node, given.owner, given.parameter, options.search)
                                : descriptionFromTopic(node, given.topic, options.search);
   if (!description) {
-    fail(given.topic.empty() ? "no node has a parameter '" + given.parameter + "'"
-                             : "no messages on '" + node.resolve(given.topic) + "'");
+    cli::fail(given.topic.empty() ? "no node has a parameter '" + given.parameter + "'"
+                                  : "no messages on '" + node.resolve(given.topic) + "'");
     return false;
   }
   if (description->empty()) {
-    fail("the description is empty");
+    cli::fail("the description is empty");
     return false;
   }
   request.set_sdf(*description);
@@ -161,7 +163,7 @@ bool describe(const CreateOptions& options, ignition::msgs::EntityFactory& reque
 
 int create(const CreateOptions& options) {
   ignition::msgs::EntityFactory request;
-  if (!describe(options, request)) return kFailed;
+  if (!describe(options, request)) return cli::kFailed;
   request.set_name(options.given.name);
   request.set_allow_renaming(options.given.allowsRenaming);
   // always set, as in ros_gz_sim: the pose in the file is ignored
@@ -177,22 +179,21 @@ int create(const CreateOptions& options) {
 
   Transport transport;
   const auto world = findWorld(transport, options);
-  if (!world) return kFailed;
+  if (!world) return cli::kFailed;
   ignition::msgs::Boolean reply;
   const CallResult result = transport.node().call(std::string(kWorldPrefix) + *world + std::string(kCreateSuffix),
                                                   request, reply, kAnswerTime);
-  if (!result) return fail(result.error);
-  if (!reply.data()) return fail("the world '" + *world + "' did not create it");
-  say("created in the world '" + *world + "'");
-  return kDone;
+  if (!result) return cli::fail(result.error);
+  if (!reply.data()) return cli::fail("the world '" + *world + "' did not create it");
+  cli::say("created in the world '" + *world + "'");
+  return cli::kDone;
 }
 
 }  // namespace
 
-void addCreateAction(CLI::App& program, Work& work) {
+void addCreateAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<CreateCommandLine>();
   CLI::App* action = program.add_subcommand("create", "Insert a model, as ros_gz_sim's create does");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [&](const char* name, const char* value, const char* help, std::string& target) {
     action->add_option("--" + std::string(name), target, help)->type_name(value);
   };
@@ -224,7 +225,8 @@ void addCreateAction(CLI::App& program, Work& work) {
   });
 }
 
-std::vector<std::string> wordsOfCreate(const std::vector<std::string>& words) {
+std::vector<std::string> withTwoDashesForCreate(std::vector<std::string> words, const CLI::App&) {
+  if (words.front() != "create") return words;
   static constexpr std::string_view kWithValue[] = {"world", "file",    "topic",  "param",  "node",    "string",
                                                     "name",  "timeout", "domain", "distro", "network", "x",
                                                     "y",     "z",       "R",      "P",      "Y"};

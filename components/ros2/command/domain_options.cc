@@ -7,10 +7,11 @@
 #include <string_view>
 
 #include "pongsim/program/keystore.hh"
-#include "ros2/command/console.hh"
 #include "ros2/config/environment.hh"
 #include "ros2/wire/participant.hh"
 #include "ros2/wire/security.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::ros2 {
 
@@ -20,7 +21,7 @@ int domainOf(const std::string& text) {
   int domain = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), domain);
   if (error != std::errc() || end != text.data() + text.size() || domain < 0 || domain > kLastDomain) {
-    throw UsageError("option '--domain' takes an integer between 0 and 232, not '" + text + "'");
+    throw cli::UsageError("option '--domain' takes an integer between 0 and 232, not '" + text + "'");
   }
   return domain;
 }
@@ -32,22 +33,22 @@ ParticipantOptions DomainOptions::participant() const {
   try {
     options = participantOptionsOfEnvironment();
   } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
+    throw cli::UsageError(error.what());
   }
   if (domain) options.domain = domainOf(*domain);
   if (distro) {
     const std::optional<Distro> known = distroNamed(*distro);
-    if (!known) throw UsageError("'" + *distro + "' is not a ROS 2 distribution", "humble or jazzy, for example");
+    if (!known) throw cli::UsageError("'" + *distro + "' is not a ROS 2 distribution", "humble or jazzy, for example");
     options.distro = *known;
   }
   if (network) options.interface = *network;
   const Security security = securityOfEnvironment(options.domain);
-  if (!security.warning.empty()) say(security.warning);
+  if (!security.warning.empty()) cli::say(security.warning);
   return options;
 }
 
 void takeKeystore(const std::string& place) {
-  if (place.empty()) throw UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
+  if (place.empty()) throw cli::UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
   secureBy(place);
 }
 

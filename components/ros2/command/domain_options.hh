@@ -19,12 +19,12 @@ struct DomainOptions {
   std::optional<std::string> network;
 
   /// @return The options, completed from the environment.
-  /// @throws UsageError for an invalid domain, distribution or interface.
+  /// @throws cli::UsageError for an invalid domain, distribution or interface.
   ParticipantOptions participant() const;
 };
 
 /// Handles the value of `--secure`: this process uses an identity of that keystore.
-/// @throws UsageError if it is empty, which would mean no security.
+/// @throws cli::UsageError if it is empty, which would mean no security.
 void takeKeystore(const std::string& place);
 
 /// Adds the options `--domain`, `--distro` and `--network` to an action.

@@ -10,9 +10,9 @@
 
 #include "pongsim/program/nearest_word.hh"
 #include "ros2/command/command.hh"
-#include "ros2/command/console.hh"
 #include "ros2/command/domain_options.hh"
 #include "ros2/node/node_watch.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::ros2 {
 
@@ -70,7 +70,7 @@ std::string jsonOf(const std::vector<NodeInfo>& nodes) {
 int failWithout(const std::string& wanted, const std::vector<NodeInfo>& nodes) {
   std::vector<std::string> names;
   for (const NodeInfo& node : nodes) names.push_back(node.fullName());
-  return fail("no node " + wanted, didYouMean(wanted, std::vector<std::string_view>(names.begin(), names.end())));
+  return cli::fail("no node " + wanted, didYouMean(wanted, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 int showNodes(const NodesCommandLine& given) {
@@ -85,21 +85,20 @@ int showNodes(const NodesCommandLine& given) {
     std::erase_if(nodes, [&](const NodeInfo& node) { return node.fullName() != wanted; });
     if (nodes.empty()) return failWithout(wanted, all);
   }
-  if (given.asJson) return print(jsonOf(nodes));
-  if (nodes.empty()) say("no nodes in domain " + std::to_string(options.domain));
+  if (given.asJson) return cli::print(jsonOf(nodes)) ? cli::kDone : cli::kFailed;
+  if (nodes.empty()) cli::say("no nodes in domain " + std::to_string(options.domain));
   std::string text;
   for (const NodeInfo& node : nodes) {
     text += given.isVerbose || !given.node.empty() ? describe(node) : node.fullName() + "\n";
   }
-  return print(text);
+  return cli::print(text) ? cli::kDone : cli::kFailed;
 }
 
 }  // namespace
 
-void addNodesAction(CLI::App& program, Work& work) {
+void addNodesAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<NodesCommandLine>();
   CLI::App* action = program.add_subcommand("nodes", "List the nodes in the domain, describe one");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("NODE", given->node, "Describe this node: its topics, services and actions")->type_name("");
   action->add_flag("-v,--verbose", given->isVerbose, "Describe all of them")->disable_flag_override();
   action->add_flag("--json", given->asJson, "Print JSON: an array with everything known about each")

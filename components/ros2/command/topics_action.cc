@@ -20,9 +20,10 @@
 #include "pongsim/program/nearest_word.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/command/command.hh"
-#include "ros2/command/console.hh"
 #include "ros2/command/domain_options.hh"
 #include "ros2/command/rows.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::ros2 {
 
@@ -75,15 +76,15 @@ int failWithout(const std::string& wanted, const std::vector<std::string>& bridg
   if (wanted.empty() && bridged.size() > 1) {
     std::string names;
     for (const std::string& world : bridged) names += (names.empty() ? "" : ", ") + world;
-    return fail("several worlds are bridged: " + names, "choose with -w WORLD");
+    return cli::fail("several worlds are bridged: " + names, "choose with -w WORLD");
   }
   if (!wanted.empty() && std::ranges::count(running, wanted) == 0) {
-    return fail("no world '" + wanted + "' is running",
-                didYouMean(wanted, std::vector<std::string_view>(running.begin(), running.end())));
+    return cli::fail("no world '" + wanted + "' is running",
+                     didYouMean(wanted, std::vector<std::string_view>(running.begin(), running.end())));
   }
-  if (running.empty()) return fail("no world is running", "start one with pongsim run WORLD --ros2");
-  return fail("world '" + (wanted.empty() ? running.front() : wanted) + "' is not bridged to ROS 2",
-              "start it with pongsim run WORLD --ros2");
+  if (running.empty()) return cli::fail("no world is running", "start one with pongsim run WORLD --ros2");
+  return cli::fail("world '" + (wanted.empty() ? running.front() : wanted) + "' is not bridged to ROS 2",
+                   "start it with pongsim run WORLD --ros2");
 }
 
 /// @return The world to ask; nothing if there is none, after an error message.
@@ -108,7 +109,7 @@ std::optional<Param_V> ask(Transport& transport, const std::string& world) {
   Param_V reply;
   const CallResult result = transport.node().call(topicsServiceOf(world), ignition::msgs::Empty(), reply, kTopicsTime);
   if (result) return reply;
-  fail(result.error);
+  cli::fail(result.error);
   return std::nullopt;
 }
 
@@ -195,33 +196,32 @@ int listTopics(const TopicsCommandLine& given) {
   setLogLevel(LogLevel::kError);
   Transport transport;
   const std::optional<std::string> world = findWorld(transport, given);
-  if (!world) return kFailed;
+  if (!world) return cli::kFailed;
   std::optional<Watched> watched = watch(transport, given, *world);
-  if (!watched) return kFailed;
+  if (!watched) return cli::kFailed;
   std::sort(watched->topics.mutable_param()->begin(), watched->topics.mutable_param()->end(),
             [](const Param& a, const Param& b) { return text(a, "ros") < text(b, "ros"); });
-  if (given.asJson) return print(jsonOf(*watched));
-  if (watched->topics.param_size() == 0) say("no topics are bridged");
-  return print(tableOf(*watched));
+  if (given.asJson) return cli::print(jsonOf(*watched)) ? cli::kDone : cli::kFailed;
+  if (watched->topics.param_size() == 0) cli::say("no topics are bridged");
+  return cli::print(tableOf(*watched)) ? cli::kDone : cli::kFailed;
 }
 
-/// @throws UsageError unless it is a number from 0 to `most`.
+/// @throws cli::UsageError unless it is a number from 0 to `most`.
 double numberOption(const char* option, const std::string& text, double most) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= 0) || value > most) {
-    throw UsageError(std::string("option '") + option + "' takes a number between 0 and " +
-                     std::to_string(static_cast<long>(most)) + ", not '" + text + "'");
+    throw cli::UsageError(std::string("option '") + option + "' takes a number between 0 and " +
+                          std::to_string(static_cast<long>(most)) + ", not '" + text + "'");
   }
   return value;
 }
 
 }  // namespace
 
-void addTopicsAction(CLI::App& program, Work& work) {
+void addTopicsAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<TopicsCommandLine>();
   CLI::App* action = program.add_subcommand("topics", "List what a running simulation bridges, with rates");
-  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [action](const char* names, const char* value, const char* help, auto take) {
     action->add_option_function<std::string>(names, take, help)->type_name(value);
   };

@@ -10,7 +10,7 @@
 #include "shared/program/console.hh"
 #include "shared/program/failure.hh"
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 namespace {
 
 void addTopics(CLI::App& program, Work& work) {
@@ -41,7 +41,7 @@ void addHidden(CLI::App& program, Work& work) {
   action->callback([&work] { work = [] { return 8; }; });
 }
 
-constexpr AddAction kActions[] = {addTopics, addPlay, addHidden};
+constexpr AddCommand kActions[] = {addTopics, addPlay, addHidden};
 
 struct Outcome {
   int code = 0;
@@ -51,7 +51,7 @@ struct Outcome {
 
 Outcome outcomeOf(std::vector<std::string> words,
                   const Program& program = {
-                      .name = "pongsim test", .about = "Tests.", .actions = kActions, .footer = "The end."}) {
+                      .name = "pongsim test", .about = "Tests.", .commands = kActions, .footer = "The end."}) {
   words.insert(words.begin(), "pongsim-test");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -78,6 +78,7 @@ TEST(ProgramsCommandLine, LeavesTheWordsBehindAnActionToIt) { EXPECT_EQ(outcomeO
 
 TEST(ProgramsCommandLine, NamesTheNearestActionAndOption) {
   EXPECT_EQ(wrong({"topcs"}), "pongsim: error: unknown action 'topcs'\n  hint: did you mean 'topics'?\n");
+  EXPECT_EQ(wrong({"topcs", "--help"}), "pongsim: error: unknown action 'topcs'\n  hint: did you mean 'topics'?\n");
   EXPECT_EQ(wrong({"quux"}), "pongsim: error: unknown action 'quux'\n  hint: pongsim test --help lists them\n");
   EXPECT_EQ(wrong({"topics", "--jso"}), "pongsim: error: unknown option '--jso'\n  hint: did you mean '--json'?\n");
   EXPECT_EQ(wrong({"topics", "--quux=1"}),
@@ -121,15 +122,15 @@ TEST(ProgramsCommandLine, HelpsInAllTheWaysThatPongsimDoes) {
 }
 
 TEST(ProgramsCommandLine, ReadsTheWordsThatTheProgramMakesOfThem) {
-  const auto words = [](std::vector<std::string> given) {
+  const auto words = [](std::vector<std::string> given, const CLI::App&) {
     if (given.front() == "upload") throw UsageError("'upload' is not supported");
     if (given.front() == "list") given.front() = "topics";
     return given;
   };
-  const Program program{.name = "pongsim test", .actions = kActions, .words = words};
+  const Program program{.name = "pongsim test", .commands = kActions, .words = words};
   EXPECT_EQ(outcomeOf({"list"}, program).code, 42);
   EXPECT_EQ(outcomeOf({"upload"}, program).said, "pongsim: error: 'upload' is not supported\n");
 }
 
 }  // namespace
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

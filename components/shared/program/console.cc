@@ -1,5 +1,6 @@
 #include "shared/program/console.hh"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +12,7 @@
 
 #include "shared/program/failure.hh"
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 
 namespace {
 
@@ -36,18 +37,23 @@ int fail(std::string_view message, std::string_view hint) {
 
 void say(std::string_view message) { writeError("pongsim: " + std::string(message)); }
 
-int print(std::string_view text) {
+bool print(std::string_view text) {
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
   if (errno != EPIPE) throw Failure(std::string("can't write to stdout: ") + std::strerror(errno));
-  return kFailed;
+  return false;
 }
 
-bool outputHasColors() {
+bool outputIsClosed() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLNVAL)) != 0;
+}
+
+bool hasColors(int file) {
   const char* forbidden = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   const bool isForbidden = forbidden != nullptr && *forbidden != '\0';
-  return !isForbidden && terminal != nullptr && std::string_view(terminal) != "dumb" && isatty(STDOUT_FILENO) == 1;
+  return !isForbidden && terminal != nullptr && std::string_view(terminal) != "dumb" && isatty(file) == 1;
 }
 
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 
 // Exit codes, and output to the terminal.
 inline constexpr int kDone = 0;
@@ -20,11 +20,15 @@ int fail(std::string_view message, std::string_view hint = {});
 void say(std::string_view message);
 
 /// Writes to stdout and flushes.
-/// @return `kDone`, or `kFailed`, without a message, if the reader has closed the pipe.
+/// @return Whether it succeeded; false, without a message, if the reader has closed the pipe.
 /// @throws Failure if it can't be written.
-int print(std::string_view text);
+bool print(std::string_view text);
 
-/// @return Whether stdout is a terminal with colours, and NO_COLOR is not set.
-bool outputHasColors();
+/// @return Whether the other end of stdout is closed, as by `| head -1` after one line.
+bool outputIsClosed();
 
-}  // namespace pongsim::programs
+/// @return Whether to use colours in a file, such as STDERR_FILENO: it is a terminal that supports them, and the
+/// environment variable NO_COLOR does not forbid them.
+bool hasColors(int file);
+
+}  // namespace pongsim::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 
 /// Why something failed, as a sentence without a full stop, with a hint.
 class Failure : public std::runtime_error {
@@ -24,4 +24,4 @@ class UsageError : public Failure {
   using Failure::Failure;
 };
 
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

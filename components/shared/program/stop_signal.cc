@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 
 namespace {
 
@@ -23,4 +23,4 @@ void takeStopSignals() {
 
 bool isStopped() { return stopped; }
 
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 
 /// From now on SIGINT, SIGTERM and SIGHUP are requests to stop; a second one ends the process.
 void takeStopSignals();
@@ -8,4 +8,4 @@ void takeStopSignals();
 /// @return Whether a stop was requested. For any thread.
 bool isStopped();
 
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

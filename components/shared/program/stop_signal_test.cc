@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
-namespace pongsim::programs {
+namespace pongsim::cli {
 namespace {
 
 TEST(StopSignal, IsAWishToEnd) {
@@ -30,4 +30,4 @@ TEST(StopSignal, EndsTheProcessTheSecondTime) {
 }
 
 }  // namespace
-}  // namespace pongsim::programs
+}  // namespace pongsim::cli

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "cli/console.hh"
 #include "cli/own_folder.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/own_folder.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::cli {

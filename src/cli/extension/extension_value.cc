@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "base/parse_number.hh"
-#include "cli/console.hh"
 #include "cli/number_option.hh"
 #include "pongsim/program/nearest_word.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

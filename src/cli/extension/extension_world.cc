@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/own_folder.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

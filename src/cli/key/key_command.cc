@@ -11,7 +11,6 @@
 #include <string>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/key/key_reader.hh"
 #include "cli/key/key_terminal.hh"
 #include "cli/look_around.hh"
@@ -24,6 +23,7 @@
 #include "msgs/control/control_messages.hh"
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 
@@ -134,7 +134,6 @@ void Keyboard::send(const std::vector<Key>& keys) {
 void addKeyCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<KeyOptions>();
   CLI::App* command = program.add_subcommand("key", "Use the terminal as a keyboard: publish key presses");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command
       ->add_option_function<std::string>(
           "-t,--topic", [options](const std::string& text) { options->topic = topicOption(text); },

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/secure_option.hh"
 #include "pongsim/log.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -57,7 +57,6 @@ Work workFor(const ModelCommandLine& given) {
 void addModelCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<ModelCommandLine>();
   CLI::App* command = program.add_subcommand("model", "List the models of a running world, describe one");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };

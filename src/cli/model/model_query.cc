@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "base/nearest_word.hh"
-#include "cli/console.hh"
 #include "cli/model/model_command.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world/world_finder.hh"
 #include "cli/world/world_state.hh"
 #include "msgs/state/state_reader.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

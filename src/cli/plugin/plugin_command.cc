@@ -12,7 +12,6 @@
 #include "base/nearest_word.hh"
 #include "base/report/crash_report.hh"
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/plugin/plugin_page.hh"
 #include "cli/plugin/plugin_template.hh"
 #include "plugin/core_systems.hh"
@@ -20,6 +19,8 @@
 #include "plugin/inspection.hh"
 #include "plugin/loader.hh"
 #include "plugin/system_name.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -136,7 +137,6 @@ Work pluginWork(const PluginOptions& options) {
 void addPluginCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<PluginOptions>();
   CLI::App* command = program.add_subcommand("plugin", "List systems, describe one, create a new one");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command->add_flag("-l,--list", options->list, "Print the available systems: name, class and file")
       ->disable_flag_override();
   command->add_flag("--missing", options->missing, "With --list: Fortress's systems that pongsim lacks")
@@ -155,7 +155,6 @@ void addPluginCommand(CLI::App& program, Work& work) {
   command->add_flag("--markdown", options->markdown, "With --info: print a documentation page")
       ->disable_flag_override();
   options->newCommand = command->add_subcommand("new", "Create a folder with a new system that builds");
-  options->newCommand->set_help_flag("-h,--help", "Print this help and exit");
   options->newCommand->footer(
       "Examples:\n  pongsim plugin new my-system\n"
       "  cd my-system && cmake -B build && cmake --build build && ctest --test-dir build");

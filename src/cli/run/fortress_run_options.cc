@@ -3,7 +3,7 @@
 #include <CLI/App.hpp>
 #include <string_view>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

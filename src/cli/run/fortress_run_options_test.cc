@@ -4,7 +4,7 @@
 
 #include <CLI/App.hpp>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {

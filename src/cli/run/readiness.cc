@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-#include "cli/console.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -15,7 +15,6 @@
 
 #include "base/report/crash_report.hh"
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/extension/extension.hh"
 #include "cli/extension/extension_world.hh"
@@ -31,6 +30,8 @@
 #include "pongsim/log.hh"
 #include "pongsim/program/keystore.hh"
 #include "pongsim/simulation.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 #include "sim/running/runner.hh"
 #include "sim/running/server.hh"
 
@@ -209,7 +210,6 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
 void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> extensions) {
   const auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = program.add_subcommand("run", "Simulate the worlds of a file, until SIGINT or SIGTERM");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command
       ->add_option_function<std::string>(
           "WORLD",

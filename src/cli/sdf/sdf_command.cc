@@ -9,7 +9,6 @@
 
 #include "assets/finder.hh"
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -21,6 +20,8 @@
 #include "sdf/loader.hh"
 #include "sdf/text/degrees.hh"
 #include "sdf/text/print.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -177,7 +178,6 @@ Work workFor(const SdfOptions& options) {
 void addSdfCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<SdfOptions>();
   CLI::App* command = program.add_subcommand("sdf", "Check, print and describe world and model files");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   command->add_option("FILE", options->files, "World or model files")->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();

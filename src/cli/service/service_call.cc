@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "cli/message_option.hh"
 #include "cli/service/service_command.hh"
 #include "cli/service/service_name.hh"
 #include "cli/topic/topic_command.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

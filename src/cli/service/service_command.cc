@@ -6,13 +6,14 @@
 #include <string_view>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/message_option.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/secure_option.hh"
 #include "cli/service/service_name.hh"
 #include "pongsim/log.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -65,7 +66,6 @@ Work workFor(const ServiceCommandLine& given) {
 void addServiceCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<ServiceCommandLine>();
   CLI::App* command = program.add_subcommand("service", "List services, describe or call one");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };

@@ -3,9 +3,10 @@
 #include <stdexcept>
 
 #include "base/nearest_word.hh"
-#include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 #include "transport/names/service_name.hh"
 
 namespace pongsim::cli {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/console.hh"
 #include "pongsim/node.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/parse_number.hh"
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 

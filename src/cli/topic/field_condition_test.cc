@@ -3,7 +3,7 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
-#include "cli/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {

@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/message_option.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/secure_option.hh"
 #include "cli/topic/topic_name.hh"
 #include "pongsim/log.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -171,7 +172,6 @@ Work workFor(const TopicCommandLine& given) {
 void addTopicCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<TopicCommandLine>();
   CLI::App* command = program.add_subcommand("topic", "List topics, echo and measure them, publish messages");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/topic/spread.hh"
 #include "cli/topic/topic_command.hh"
 #include "msgs/fields/stamp.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/topic/topic_command.hh"
 #include "pongsim/messages/field_path.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

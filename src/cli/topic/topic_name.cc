@@ -1,8 +1,8 @@
 #include "cli/topic/topic_name.hh"
 
 #include "base/nearest_word.hh"
-#include "cli/console.hh"
 #include "pongsim/node.hh"
+#include "shared/program/failure.hh"
 #include "transport/names/topic_name.hh"
 
 namespace pongsim::cli {

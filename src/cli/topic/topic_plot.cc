@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "cli/console.hh"
 #include "cli/topic/scan_plot.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/view/picture_plot.hh"
 #include "cli/view/terminal_size.hh"
 #include "msgs/fields/image_message.hh"
 #include "msgs/fields/scan_message.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

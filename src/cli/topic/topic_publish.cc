@@ -3,12 +3,12 @@
 #include <iterator>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/topic/spread.hh"
 #include "cli/topic/topic_command.hh"
 #include "msgs/encoding/bytes.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

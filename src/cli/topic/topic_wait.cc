@@ -1,8 +1,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/console.hh"
 #include "cli/topic/topic_command.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -14,7 +14,6 @@
 
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -29,6 +28,8 @@
 #include "cli/view/viewpoint.hh"
 #include "pongsim/log.hh"
 #include "pongsim/sensing/camera_scene.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -160,7 +161,6 @@ void addViewCommand(CLI::App& program, Work& work) {
   const auto source = std::make_shared<ViewSource>();
   CLI::App* command =
       program.add_subcommand("view", "Draw a world after some simulated time, or a running world as it is now");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [command](const char* names, const char* value, const char* description, auto read) {
     command->add_option_function<std::string>(names, read, description)->type_name(value);
   };

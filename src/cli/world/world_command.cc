@@ -10,11 +10,12 @@
 
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
-#include "cli/console.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/secure_option.hh"
 #include "pongsim/log.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 
@@ -84,7 +85,6 @@ void addWorldCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<WorldCommandLine>();
   CLI::App* command =
       program.add_subcommand("world", "Pause, step or reset a running world, print its statistics and contents");
-  command->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };

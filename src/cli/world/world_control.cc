@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "cli/console.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/world/world_command.hh"
@@ -14,6 +13,7 @@
 #include "msgs/control/control_messages.hh"
 #include "msgs/control/status_messages.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "base/nearest_word.hh"
-#include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "cli/stop_signal.hh"
 #include "msgs/control/control_messages.hh"
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 

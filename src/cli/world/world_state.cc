@@ -1,7 +1,7 @@
 #include "cli/world/world_state.hh"
 
-#include "cli/console.hh"
 #include "pongsim/node.hh"
+#include "shared/program/console.hh"
 
 namespace pongsim::cli {
 
