@@ -1,7 +1,5 @@
 #include "physics/dynamics_world.hh"
 
-#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -16,14 +14,7 @@ namespace pongsim::physics {
 namespace {
 
 std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
-  switch (settings.solver) {
-    case Solver::kDirect:
-      break;
-    case Solver::kSequentialImpulse:
-      return std::make_unique<ContactSolver>();
-    case Solver::kNncg:
-      return std::make_unique<btNNCGConstraintSolver>();
-  }
+  if (settings.solver == Solver::kSequentialImpulse) return std::make_unique<ContactSolver>();
   return std::make_unique<GroupSolver>(settings.mostDirectRows);
 }
 
@@ -45,7 +36,6 @@ DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& c
 
   btContactSolverInfo& info = world_.getSolverInfo();
   info.m_numIterations = settings.iterations;
-  info.m_leastSquaresResidualThreshold = settings.residual;
   info.m_globalCfm = settings.softness;
   info.m_erp = settings.jointErrorReduction;
   info.m_erp2 = settings.contactErrorReduction;

@@ -10,8 +10,6 @@ enum class Solver {
   kDirect,
   /// Projected Gauss-Seidel.
   kSequentialImpulse,
-  /// The same, accelerated by non-smooth conjugate gradients.
-  kNncg,
 };
 
 /// Penetration is corrected at most at this times the step size [m/s^2], about the speed that gravity gives in a step,
@@ -25,8 +23,6 @@ struct Settings {
   Solver solver = Solver::kDirect;
   /// Maximum number of iterations.
   int iterations = 50;
-  /// Iterations end early when no row's impulse changes by more than the square root of this; 0: never.
-  double residual = 0;
   /// Groups with more rows of joints and contacts than this are not solved directly, except trees of links with no more
   /// bounded rows than this.
   int mostDirectRows = 150;

@@ -83,9 +83,6 @@ std::vector<Method> methods() {
   for (const int count : {10, 20, 50, 200}) {
     all.push_back(engineWith("Gauss-Seidel, " + std::to_string(count), with(Solver::kSequentialImpulse, count)));
   }
-  for (const int count : {10, 50}) {
-    all.push_back(engineWith("NNCG, " + std::to_string(count), with(Solver::kNncg, count)));
-  }
   for (const int count : {10, 50, 200}) all.push_back(multiBodyWith(count));
   all.push_back(engineWith("direct", {}));
   return all;
