@@ -1,10 +1,3 @@
-# pongsim_parses_options(TARGET)
-# Code that uses CLI11, to parse the options of a command.
-function(pongsim_parses_options target)
-  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${pongsim_quick_to_compile}>")
-  target_precompile_headers(${target} REUSE_FROM pongsim_options_precompiled)
-endfunction()
-
 # pongsim_sources(SOURCES TESTS)
 # The C++ files below the current folder: sources, and their tests, which are beside them and end in _test.cc.
 function(pongsim_sources sources tests)
@@ -16,25 +9,16 @@ function(pongsim_sources sources tests)
   set(${tests} ${found} PARENT_SCOPE)
 endfunction()
 
-# pongsim_layer(NAME [SOURCES ...] [USES third-party targets ...] [COMPUTES | PARSES_OPTIONS])
-# A folder under src/ or components/shared/, as object files for the library and for the layer's tests. Without SOURCES all of the folder's.
-# COMPUTES: most of a run's time is spent here, so it is optimized more. PARSES_OPTIONS: see pongsim_parses_options.
+# pongsim_layer(NAME [SOURCES ...] [USES third-party targets ...])
+# A folder under src/ or components/shared/, as object files for the library and for the layer's tests. Without SOURCES all of
+# the folder's.
 function(pongsim_layer name)
-  cmake_parse_arguments(arg "COMPUTES;PARSES_OPTIONS" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
   if(NOT arg_SOURCES)
     pongsim_sources(arg_SOURCES tests)
   endif()
   add_library(pongsim_${name} OBJECT ${arg_SOURCES})
-  if(arg_PARSES_OPTIONS)
-    pongsim_parses_options(pongsim_${name})
-  elseif(arg_COMPUTES)
-    target_compile_options(pongsim_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
-    target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_computing_precompiled)
-    # smaller, because generating code takes most of the time, and both processors should do it at once
-    set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 24)
-  else()
-    target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
-  endif()
+  target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
   target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src
                                                     ${CMAKE_SOURCE_DIR}/components)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
@@ -59,7 +43,7 @@ function(pongsim_plugin name)
   add_library(${target} MODULE ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE pongsim pongsim_settings ${arg_USES})
   pongsim_export(${target} system.map)
-  target_precompile_headers(${target} REUSE_FROM pongsim_plugin_precompiled)
+  target_precompile_headers(${target} REUSE_FROM pongsim_precompiled)
   set_target_properties(${target} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY}
     INSTALL_RPATH "$ORIGIN/../..")
@@ -134,7 +118,7 @@ function(pongsim_test_library name source folder)
   cmake_parse_arguments(arg "" "" "USES" ${ARGN})
   add_library(${name} MODULE ${source})
   target_link_libraries(${name} PRIVATE pongsim pongsim_settings ${arg_USES})
-  target_precompile_headers(${name} REUSE_FROM pongsim_plugin_precompiled)
+  target_precompile_headers(${name} REUSE_FROM pongsim_precompiled)
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test/${folder})
 endfunction()
 

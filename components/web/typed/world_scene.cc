@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "pongsim/log.hh"
+
 namespace pongsim::web::typed {
 
 std::shared_ptr<WorldScene> WorldScene::open(std::shared_ptr<WorldLink> world) {
