@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <functional>
 #include <map>
 #include <optional>
@@ -19,7 +20,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr std::size_t kMostInputs = 64;
-/// Of a triangle and more of larger polygons; meshes with more triangles are refused anyway.
+/// Limit for corners of triangles and polygons together: meshes with more triangles are refused anyway.
 constexpr std::uint64_t kMostCorners = 3 * kMostTriangles;
 constexpr std::uint64_t kMostNodes = 100'000;
 constexpr std::size_t kMostColorComponents = 4;
@@ -161,7 +162,7 @@ class GeometryCheck {
       }
       corners += indexCount / width * (kind == "tristrips" ? 3 : 1);
     });
-    // Assimp, as Debian builds it, ends the process where these differ
+    // Debian's build of Assimp ends the process if these differ
     const bool isOneList = kind == "triangles" || kind == "polylist";
     if ((isOneList && count > 0 && listCount != 1) || (kind == "polygons" && listCount != count)) {
       refuseElement(primitives, "has the wrong number of <p>");
@@ -170,12 +171,12 @@ class GeometryCheck {
   }
 
   ByName<std::uint64_t> arrays_;
-  /// Sources of colors, with '#'.
+  /// References to the sources of colors: "#NAME".
   std::set<std::string_view> colors_;
   ByName<std::uint64_t> corners_;
 };
 
-/// Checks what the scene comes to when each reference to a node is replaced by that node.
+/// Checks the size of the scene after each reference to a node has been replaced by the node, as Assimp does it.
 class SceneCheck {
  public:
   SceneCheck(const XMLElement& collada, const ByName<std::uint64_t>& corners) : corners_(corners) {
@@ -226,6 +227,7 @@ class SceneCheck {
     if (wanted.empty()) refuseElement(instance, "refers to no node");
     const auto known = library_.find(wanted);
     if (known != library_.end()) return known->second;
+    assert(root_ != nullptr);
     return find(*root_, wanted);
   }
 
@@ -272,11 +274,11 @@ class SceneCheck {
   const ByName<std::uint64_t>& corners_;
   ByName<const XMLElement*> library_;
   const XMLElement* root_ = nullptr;
-  /// Nothing while a node is being looked at.
+  /// Unset while a node is being visited, so that a cycle is detected.
   std::map<const XMLElement*, std::optional<Cost>> costs_;
 };
 
-/// Checks that the parameters of an effect lead to an image.
+/// Checks that no parameter of an effect refers back to itself, directly or through others.
 void checkEffect(const XMLElement& effect) {
   ByName<std::string_view> references;
   forEachInside(effect, [&](const XMLElement& param) {

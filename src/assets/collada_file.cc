@@ -59,7 +59,7 @@ void removeInside(XMLElement& outer, std::initializer_list<std::string_view> nam
   }
 }
 
-/// Names images that have no name, which some programs write: Assimp ends the process there.
+/// Adds names to images without one, which some programs write: Assimp ends the process for them.
 void nameImages(XMLElement& outer) {
   for (XMLElement* child = outer.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     nameImages(*child);
@@ -81,7 +81,7 @@ void removeUnused(XMLElement& collada) {
     if (isOneOf(*child, {"asset"})) {
       removeChildren(*child, [](const XMLElement& part) { return isOneOf(part, {"unit", "up_axis"}); });
     }
-    // embedded images, of which Assimp reads more than there is
+    // embedded images, past whose end Assimp reads
     if (isOneOf(*child, {"library_images", "library_effects"})) {
       removeInside(*child, {"hex"});
       nameImages(*child);

@@ -5,8 +5,8 @@
 
 namespace pongsim::assets {
 
-/// Reads a Collada file for Assimp, whose reader trusts what is in it.
-/// @return Its XML without what isn't used, such as animations, weights of skins, lines and embedded images; checked.
+/// Reads and checks a Collada file for Assimp, which does not check it.
+/// @return Its XML without unused content, such as animations, weights of skins, lines and embedded images.
 /// @throws std::runtime_error with the line and the fault.
 std::string readCollada(const std::filesystem::path& file);
 

@@ -13,7 +13,7 @@ namespace {
 
 class ColladaFileTest : public ::testing::Test {
  protected:
-  /// @return The example with one piece replaced.
+  /// @return The example with one part replaced.
   static std::string with(std::string_view old, std::string_view now) {
     std::string text(test::kCollada);
     const std::size_t at = text.find(old);
@@ -101,7 +101,7 @@ TEST_F(ColladaFileTest, RefusesNodesThatContainThemselves) {
             "line 12: <visual_scene> contains itself");
   EXPECT_EQ(faultOf(with(instance, "<instance_node url=\"#left\"/></node>\n<node id=\"r\"")),
             "line 13: <node> contains itself");
-  // a node with the name of what it refers to is common
+  // many files have a node with the same name as the node that it refers to
   std::string library = "<library_nodes><node id=\"left\"><instance_geometry url=\"#shape\"/></node></library_nodes>";
   std::string text = with(instance, "<instance_node url=\"#left\"/></node>\n<node id=\"r\"");
   text.insert(text.find("<library_visual_scenes>"), library);

@@ -11,7 +11,7 @@ namespace pongsim::assets {
 
 namespace {
 
-// Assimp's spaces; others stop it
+// what Assimp skips as space
 constexpr std::string_view kSpaces = " \t\r\n";
 constexpr std::string_view kDigits = "0123456789";
 

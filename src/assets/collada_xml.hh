@@ -15,10 +15,10 @@ namespace pongsim::assets {
 /// @return Empty if the element has no such attribute.
 std::string_view attributeOf(const tinyxml2::XMLElement& element, const char* name);
 
-/// @return Of "#name", the name; empty if there is none.
+/// @return The name in an attribute of the form "#NAME"; empty if there is none.
 std::string_view referenceIn(const tinyxml2::XMLElement& element, const char* name);
 
-/// @return The first piece of text, as Assimp reads it.
+/// @return The element's first text, which is all that Assimp reads.
 std::string_view textOf(const tinyxml2::XMLElement& element);
 
 /// @return A whole number that isn't negative; `otherwise` if the element has no such attribute.

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "assets/file_descriptor.hh"
 #include "base/hash.hh"
 
 namespace pongsim::assets {
@@ -23,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".cache";
-/// A file consists of this line, the content's length and hash in eight bytes each, least significant first, and the
-/// content.
+/// A file consists of this line, the length and the hash of the content in eight bytes each (least significant first),
+/// and the content.
 constexpr std::string_view kMagic = "pongsim cache 1\n";
 constexpr std::size_t kHeader = kMagic.size() + 16;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20U;
@@ -45,27 +46,9 @@ std::uint64_t hashOf(std::string_view bytes) {
   return hash.value();
 }
 
-/// A file descriptor, closed on destruction.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-  bool isOpen() const { return number_ >= 0; }
-  /// @return Whether everything was written successfully.
-  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
-
 std::optional<std::string> readWhole(const fs::path& file) {
   // do not block if the name is a pipe
-  const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const FileDescriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!open.isOpen() || ::fstat(open.number(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   const auto size = static_cast<std::uintmax_t>(status.st_size);
@@ -82,7 +65,7 @@ std::optional<std::string> readWhole(const fs::path& file) {
 
 /// @return Why it failed; empty on success.
 std::string writeWhole(const fs::path& file, std::string_view bytes) {
-  Descriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  FileDescriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (!open.isOpen()) return std::strerror(errno);
   while (!bytes.empty()) {
     const ::ssize_t count = ::write(open.number(), bytes.data(), bytes.size());
@@ -137,7 +120,7 @@ std::string FileCache::keep(std::string_view name, std::string_view bytes) const
   appendNumber(hashOf(bytes), whole);
   whole += bytes;
 
-  // a unique name until it is complete
+  // written under a unique name and renamed when complete, so that no reader sees a part of it
   static std::atomic<unsigned> count = 0;
   const fs::path file = folder_ / (std::string(name) + std::string(kEnding));
   fs::path draft = file;
@@ -156,31 +139,32 @@ std::string FileCache::keep(std::string_view name, std::string_view bytes) const
 }
 
 void FileCache::prune() const {
-  struct Entry {
+  struct CachedFile {
     fs::file_time_type time;
     std::uintmax_t size;
-    fs::path file;
+    fs::path path;
   };
-  std::vector<Entry> entries;
+  std::vector<CachedFile> files;
   std::uintmax_t sum = 0;
   std::error_code error;
   for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
-    // only our own files; other processes may delete them meanwhile
+    // only the cache's own files, which other processes may delete meanwhile
     if (at->path().filename().string().find(kEnding) == std::string::npos) continue;
     std::error_code gone;
-    const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};
+    const CachedFile cached{at->last_write_time(gone), at->file_size(gone), at->path()};
     if (gone) continue;
-    sum += entry.size;
-    entries.push_back(entry);
+    sum += cached.size;
+    files.push_back(cached);
   }
   if (sum <= mostBytes_) return;
-  std::ranges::sort(
-      entries, [](const Entry& a, const Entry& b) { return a.time != b.time ? a.time < b.time : a.file < b.file; });
-  for (const Entry& entry : entries) {
+  std::ranges::sort(files, [](const CachedFile& a, const CachedFile& b) {
+    return a.time != b.time ? a.time < b.time : a.path < b.path;
+  });
+  for (const CachedFile& cached : files) {
     if (sum <= mostBytes_ / 4 * 3) break;
     std::error_code ignored;
-    fs::remove(entry.file, ignored);
-    sum -= entry.size;
+    fs::remove(cached.path, ignored);
+    sum -= cached.size;
   }
 }
 

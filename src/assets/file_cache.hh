@@ -8,8 +8,8 @@
 
 namespace pongsim::assets {
 
-/// A folder of files that caches results for later runs. Any number of processes can share the folder, and anybody can
-/// empty it at any time.
+/// A folder of files that caches results for later runs. Several processes can share the folder, and it can be emptied
+/// at any time.
 class FileCache {
  public:
   /// @param folder Created when first needed; empty: nothing is cached.

@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Only the number of further ones is given.
-constexpr std::size_t kMostPlacesTold = 4;
+// Of more places, a message lists only this many.
+constexpr std::size_t kMostPlacesListed = 4;
 
 bool isThere(const fs::path& path) {
   std::error_code ignored;
@@ -22,10 +22,10 @@ bool isThere(const fs::path& path) {
 
 std::string listOf(const std::vector<fs::path>& places) {
   std::string text;
-  for (std::size_t i = 0; i < places.size() && i < kMostPlacesTold; ++i) {
+  for (std::size_t i = 0; i < places.size() && i < kMostPlacesListed; ++i) {
     text += (i > 0 ? ", " : "") + places[i].string();
   }
-  if (places.size() > kMostPlacesTold) text += " and " + std::to_string(places.size() - kMostPlacesTold) + " more";
+  if (places.size() > kMostPlacesListed) text += " and " + std::to_string(places.size() - kMostPlacesListed) + " more";
   return text;
 }
 
@@ -34,7 +34,7 @@ fs::path placeOf(const FuelAddress& address, const fs::path& cache) {
   return address.version ? folder / std::to_string(*address.version) : folder;
 }
 
-/// One search, through one place after the other.
+/// Looks for one address, and adds an error if it is nowhere.
 class Search {
  public:
   Search(std::string_view uri, const SourcePosition& position, Diagnostics& diagnostics)
@@ -64,7 +64,7 @@ class Search {
       fetch->bring({uri_});
       if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
     }
-    // a missing file of a model that is in the cache: downloading will not help
+    // if the model is in the cache, the file does not exist, and a download would not help
     FuelAddress whole = *address;
     whole.file.clear();
     const std::optional<fs::path> model = address->file.empty() ? std::nullopt : findInFuelCache(whole, cache);

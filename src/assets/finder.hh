@@ -21,7 +21,7 @@ namespace pongsim::assets {
 /// world on a Fuel server, which is looked for in the local cache, and downloaded if the finder is allowed to.
 class Finder {
  public:
-  /// Only finds paths, and files in the current folder.
+  /// Finds paths and files in the current folder only.
   Finder() = default;
   /// @param fetch Null: nothing is downloaded.
   explicit Finder(Places places, std::shared_ptr<FuelFetch> fetch = nullptr);
@@ -32,8 +32,8 @@ class Finder {
   std::optional<std::filesystem::path> operator()(std::string_view uri, const std::filesystem::path& folder,
                                                   const SourcePosition& position, Diagnostics& diagnostics) const;
 
-  /// Downloads those addresses that are on a Fuel server and not in the cache, if allowed. In parallel, this is faster
-  /// than one by one.
+  /// Downloads those addresses that are on a Fuel server and not in the cache, if allowed: in parallel, so faster than
+  /// one by one.
   void bring(const std::vector<std::string>& addresses) const;
 
  private:

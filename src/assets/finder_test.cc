@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class FinderTest : public testing::Test {
  protected:
-  /// @return The path found, or what was said instead.
+  /// @return The path, or the messages if none was found.
   std::string find(std::string_view uri) {
     Diagnostics diagnostics;
     const SourcePosition position{std::make_shared<const std::string>("w.sdf"), 3, 4};

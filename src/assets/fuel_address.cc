@@ -44,7 +44,7 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-/// @return The parts between the slashes; nothing if one could lead out of the cache.
+/// @return The parts between the slashes; nothing if one could lead out of the cache, such as "..".
 std::optional<std::vector<std::string>> partsOf(std::string_view path) {
   std::vector<std::string> parts;
   while (!path.empty()) {

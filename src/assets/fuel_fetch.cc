@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "assets/file_descriptor.hh"
 #include "base/shared_library.hh"
 #include "pongsim/files/fuel_address.hh"
 #include "pongsim/log.hh"
@@ -43,25 +44,8 @@ std::optional<std::string> resourceOf(const std::string& address) {
   return parsed->url() + "/" + (parsed->version ? std::to_string(*parsed->version) : "tip");
 }
 
-/// A file descriptor, closed on destruction.
-class FuelPipeEnd {
- public:
-  explicit FuelPipeEnd(int number) : number_(number) {}
-  ~FuelPipeEnd() { close(); }
-  FuelPipeEnd(const FuelPipeEnd&) = delete;
-  FuelPipeEnd& operator=(const FuelPipeEnd&) = delete;
-  int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_;
-};
-
 /// Writes the text to a file that a process can then read as its input.
-bool fill(const FuelPipeEnd& file, std::string_view text) {
+bool fill(const FileDescriptor& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file.number(), text.data(), text.size());
     if (written < 0 && errno != EINTR) return false;
@@ -70,7 +54,7 @@ bool fill(const FuelPipeEnd& file, std::string_view text) {
   return ::lseek(file.number(), 0, SEEK_SET) == 0;
 }
 
-std::string readAll(const FuelPipeEnd& file) {
+std::string readAll(const FileDescriptor& file) {
   std::string text;
   char part[4096];
   while (true) {
@@ -123,9 +107,9 @@ void FuelFetch::bring(const std::vector<std::string>& addresses) {
   std::vector<std::string> missing;
   for (const std::string& address : addresses) {
     const std::optional<std::string> resource = resourceOf(address);
-    if (!resource || asked_.contains(*resource) || findInFuelCache(*parseFuelAddress(address), places_.fuelCache))
+    if (!resource || requested_.contains(*resource) || findInFuelCache(*parseFuelAddress(address), places_.fuelCache))
       continue;
-    asked_.insert(*resource);
+    requested_.insert(*resource);
     missing.push_back(*resource);
   }
   if (!missing.empty() && !program_.empty() && !isFuelOffline()) run(missing);
@@ -137,11 +121,11 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
   };
   std::string text;
   for (const std::string& address : addresses) text += address + "\n";
-  const FuelPipeEnd input(::memfd_create("pongsim-fuel", MFD_CLOEXEC));
+  const FileDescriptor input(::memfd_create("pongsim-fuel", MFD_CLOEXEC));
   int ends[2] = {-1, -1};
   const bool isPipe = ::pipe2(ends, O_CLOEXEC) == 0;
-  const FuelPipeEnd output(ends[0]);
-  FuelPipeEnd childOutput(ends[1]);
+  const FileDescriptor output(ends[0]);
+  FileDescriptor childOutput(ends[1]);
   if (!isPipe || input.number() < 0 || !fill(input, text)) return fail(std::strerror(errno));
   ::pid_t child = 0;
   if (const int error = spawn(program_, input.number(), childOutput.number(), child); error != 0) {

@@ -32,8 +32,8 @@ class FuelFetch {
 
   Places places_;
   std::filesystem::path program_;
-  /// Keyed by model and version.
-  std::set<std::string> asked_;
+  /// Models and versions requested so far.
+  std::set<std::string> requested_;
   std::map<std::string, Problem> failed_;
 };
 

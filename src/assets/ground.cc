@@ -1,6 +1,7 @@
 #include "assets/ground.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,6 +16,7 @@ using description::TriangleMesh;
 /// The terrain of an image as Fortress makes it: black at z = 0, the brightest pixel at the size's z, the top of the
 /// image towards +y. A pixel's width is the size divided by the number of pixels.
 TriangleMesh groundOf(const GrayImage& image, const Vector3& size, const Vector3& position) {
+  assert(!image.pixels.empty());
   const double brightest = std::max<double>(1, *std::ranges::max_element(image.pixels));
   const double stepX = size.x() / static_cast<double>(image.width);
   const double stepY = size.y() / static_cast<double>(image.height);

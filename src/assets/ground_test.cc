@@ -15,7 +15,7 @@ TEST(Ground, HasAPointAPixelTheImagesTopTowardsY) {
   ASSERT_NE(ground, nullptr) << std::get<Problem>(found).text;
   ASSERT_EQ(ground->vertices.size(), 4U);
   EXPECT_TRUE(ground->vertices[0].isApprox(Vector3(9, 21.5, 30)));
-  // the brightest pixel is as high as the size says
+  // the brightest pixel has the height of the size
   EXPECT_TRUE(ground->vertices[1].isApprox(Vector3(11, 21.5, 31.5)));
   EXPECT_TRUE(ground->vertices[2].isApprox(Vector3(9, 18.5, 33)));
   ASSERT_EQ(ground->triangles.size(), 2U);

@@ -1,6 +1,7 @@
 #include "assets/jpeg_image.hh"
 
 #include <array>
+#include <cassert>
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
@@ -10,14 +11,14 @@
 
 #include <jpeglib.h>
 
-// after the library's own header, which it requires
+// must follow jpeglib.h
 #include <jerror.h>
 
 namespace pongsim::assets {
 
 namespace {
 
-// for progressive files; real ones have a dozen. Each takes a pass over the image
+// Limit for progressive files, because each scan takes a pass over the image. Usual files have a dozen scans.
 constexpr int kMostScans = 100;
 
 /// A file being read by libjpeg. On errors the library jumps by `longjmp` to the member function that called it; these
@@ -26,8 +27,8 @@ class JpegReader {
  public:
   explicit JpegReader(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "rb")) {
     info_.err = jpeg_std_error(&errors_.manager);
-    errors_.manager.error_exit = leave;
-    errors_.manager.emit_message = judge;
+    errors_.manager.error_exit = fail;
+    errors_.manager.emit_message = failIfDamaged;
     progress_.progress_monitor = countScans;
   }
   ~JpegReader() {
@@ -37,7 +38,7 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
-  /// @return Whether it has one; if not, `said` has the reason, here and below.
+  /// @return False if it can't be read; then `reason` says why.
   bool readHeader() {
     if (file_ == nullptr) return false;
     if (setjmp(errors_.back) != 0) return false;
@@ -48,10 +49,11 @@ class JpegReader {
     return true;
   }
 
-  /// @param pixels Four bytes each: as in `Picture`, or inks.
+  /// @param pixels Four bytes each: as in `Picture`, or cyan, magenta, yellow, black.
+  /// @return False if they can't be read; then `reason` says why.
   bool readPixels(std::span<std::uint8_t> pixels) {
     if (setjmp(errors_.back) != 0) return false;
-    info_.out_color_space = isOfInks() ? JCS_CMYK : JCS_EXT_RGBA;
+    info_.out_color_space = isCmyk() ? JCS_CMYK : JCS_EXT_RGBA;
     jpeg_start_decompress(&info_);
     while (info_.output_scanline < info_.output_height) {
       JSAMPROW row = pixels.data() + std::size_t{4} * info_.output_scanline * info_.output_width;
@@ -61,12 +63,12 @@ class JpegReader {
     return true;
   }
 
-  bool isOfInks() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
+  bool isCmyk() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
   /// Adobe's programs store the missing amount of ink rather than the amount present.
   bool areInksInverted() const { return info_.saw_Adobe_marker != 0; }
   std::size_t width() const { return info_.image_width; }
   std::size_t height() const { return info_.image_height; }
-  std::string said() const { return file_ == nullptr ? "it can't be opened" : errors_.text.data(); }
+  std::string reason() const { return file_ == nullptr ? "it can't be opened" : errors_.text.data(); }
 
  private:
   struct Errors {
@@ -75,17 +77,18 @@ class JpegReader {
     std::array<char, JMSG_LENGTH_MAX> text{};
   };
 
-  [[noreturn]] static void leave(j_common_ptr info) {
+  [[noreturn]] static void fail(j_common_ptr info) {
     // the error manager is the first member, as the library intends for extensions
     auto& errors = *reinterpret_cast<Errors*>(info->err);
     errors.manager.format_message(info, errors.text.data());
     std::longjmp(errors.back, 1);
   }
 
-  /// On damaged files the library only warns, and fills in grey. Two of its warnings are not about damage.
-  static void judge(j_common_ptr info, int level) {
+  /// Receives the library's warnings. For damaged files it only warns, and fills in grey; two warnings are about other
+  /// things.
+  static void failIfDamaged(j_common_ptr info, int level) {
     const int code = info->err->msg_code;
-    if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM) leave(info);
+    if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM) fail(info);
   }
 
   static void countScans(j_common_ptr info) {
@@ -103,6 +106,7 @@ class JpegReader {
 
 /// Converts inks to colours: each ink removes its share of the light, black removes it from all colours.
 void makeColors(std::span<std::uint8_t> pixels, bool areInverted) {
+  assert(pixels.size() % 4 == 0);
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
     if (!areInverted) {
       for (std::size_t ink = 0; ink < 4; ++ink) pixels[i + ink] = static_cast<std::uint8_t>(255 - pixels[i + ink]);
@@ -119,12 +123,12 @@ void makeColors(std::span<std::uint8_t> pixels, bool areInverted) {
 
 std::variant<Picture, Problem> readJpeg(const std::filesystem::path& file, std::size_t mostPixels) {
   JpegReader reader(file);
-  if (!reader.readHeader()) return Problem{"can't be read as a JPEG image: " + reader.said(), {}};
+  if (!reader.readHeader()) return Problem{"can't be read as a JPEG image: " + reader.reason(), {}};
   if (reader.width() * reader.height() > mostPixels) return tooManyPixels(mostPixels);
   Picture picture{reader.width(), reader.height(), {}};
   picture.pixels.resize(4 * picture.width * picture.height);
-  if (!reader.readPixels(picture.pixels)) return Problem{"can't be read as a JPEG image: " + reader.said(), {}};
-  if (reader.isOfInks()) makeColors(picture.pixels, reader.areInksInverted());
+  if (!reader.readPixels(picture.pixels)) return Problem{"can't be read as a JPEG image: " + reader.reason(), {}};
+  if (reader.isCmyk()) makeColors(picture.pixels, reader.areInksInverted());
   return picture;
 }
 

@@ -26,7 +26,7 @@ struct JpegKind {
   bool hasManyScans = false;
 };
 
-/// @param color Of all pixels, as many bytes as `kind.given` has.
+/// @param color Colour of all pixels, with as many bytes as `kind.given` has components.
 std::string jpegFile(unsigned edge, const std::vector<std::uint8_t>& color, const JpegKind& kind) {
   jpeg_compress_struct info;
   jpeg_error_mgr errors;
@@ -115,7 +115,7 @@ TEST(JpegImage, IsRefusedWhereItIsSpoiledOrTooLarge) {
   EXPECT_EQ(problemOf(good.substr(0, 100)), "can't be read as a JPEG image: Premature end of JPEG file");
   EXPECT_EQ(problemOf("").find("can't be read as a JPEG image: "), 0U);
   EXPECT_EQ(problemOf(jpegFile(21, {200, 50, 10}, {})), "has more than 400 pixels, which is the limit");
-  // detected before decoding: 60,000 by 60,000 pixels that do not exist
+  // a header that claims 60,000 by 60,000 pixels: refused before decoding
   std::string large = good;
   const std::size_t frame = large.find("\xFF\xC0");
   ASSERT_NE(frame, std::string::npos);

@@ -11,7 +11,7 @@ namespace pongsim::assets {
 
 namespace {
 
-/// Keeps only triangles: no normals, colours, materials, animations.
+/// Keeps only triangles: no normals, colours, materials or animations.
 constexpr unsigned kSteps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
                             aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure;
 constexpr int kDropped = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
@@ -38,7 +38,7 @@ class SceneCopier {
 
  private:
   void copyMesh(const aiMesh& from, const aiNode& node, const aiMatrix4x4& X_FileNode) {
-    // a node can place the same mesh many times
+    // counted for each use: nodes can place the same mesh many times
     triangleCount_ += from.mNumFaces;
     isTooLarge_ = triangleCount_ > kMostTriangles;
     if (isTooLarge_) return;

@@ -33,7 +33,7 @@ Problem unknownPart(const std::vector<MeshPart>& parts, const std::string& name)
   return {"has no submesh '" + name + "'", base::didYouMean(name, known)};
 }
 
-MeshStore::Found select(const std::vector<MeshPart>& parts, const std::string& submesh, bool isCentered) {
+MeshStore::Result select(const std::vector<MeshPart>& parts, const std::string& submesh, bool isCentered) {
   auto mesh = std::make_shared<TriangleMesh>();
   for (const MeshPart& part : parts) {
     if (submesh.empty() || part.nodeName == submesh || part.meshName == submesh) append(part.mesh, *mesh);
@@ -45,13 +45,13 @@ MeshStore::Found select(const std::vector<MeshPart>& parts, const std::string& s
 
 }  // namespace
 
-MeshStore::Found MeshStore::find(const std::filesystem::path& file, const std::string& submesh, bool isCentered) {
+MeshStore::Result MeshStore::find(const std::filesystem::path& file, const std::string& submesh, bool isCentered) {
   const auto key = std::tuple(file, submesh, isCentered);
   if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
   auto parts = files_.find(file);
   if (parts == files_.end()) parts = files_.emplace(file, readMeshFile(file)).first;
   const auto* problem = std::get_if<Problem>(&parts->second);
-  Found found = problem != nullptr ? Found(*problem) : select(std::get<0>(parts->second), submesh, isCentered);
+  Result found = problem != nullptr ? Result(*problem) : select(std::get<0>(parts->second), submesh, isCentered);
   return meshes_.emplace(key, std::move(found)).first->second;
 }
 

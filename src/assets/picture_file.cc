@@ -28,7 +28,7 @@ std::string startOf(const std::filesystem::path& file) {
 }  // namespace
 
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
-  // the signature counts, because many a model's PNG is called .jpg
+  // by the signature, because many models have PNG files named .jpg
   const std::string start = startOf(file);
   if (start.starts_with(kJpegStart)) return readJpeg(file, kMostPicturePixels);
   if (!start.starts_with(kPngStart)) {

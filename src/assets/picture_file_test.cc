@@ -35,7 +35,7 @@ TEST(PictureFile, TellsWhatIsWrong) {
     ASSERT_TRUE(std::holds_alternative<Problem>(text));
     EXPECT_EQ(std::get<Problem>(text).text.find(problem), 0U) << std::get<Problem>(text).text;
   }
-  // a header that claims 10,000 x 10,000; the rest is not read
+  // a header that claims 10,000 x 10,000 pixels: refused before decoding
   std::string large = pongsim::test::grayPng(1, {0});
   for (const std::size_t at : {16U, 20U}) large.replace(at, 4, std::string("\0\0\x27\x10", 4));
   const auto refused = readPicture(folder.write("large.png", large));

@@ -38,7 +38,7 @@ struct MakeLook {
   // of a file that is not there, here and below, the loader has warned
   Look operator()(const description::Mesh& mesh) const {
     if (mesh.file.empty()) return {};
-    const assets::MeshStore::Found found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);
+    const assets::MeshStore::Result found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);
     if (const auto* problem = std::get_if<assets::Problem>(&found)) {
       warn("mesh", mesh.file, *problem);
       return {};

@@ -5,7 +5,7 @@
 
 namespace pongsim::test {
 
-/// A tetrahedron with corners in the origin and at 1 m on each axis.
+/// A tetrahedron with corners at the origin and at 1 m on each axis.
 inline constexpr std::string_view kStl = R"(solid t
 facet normal 0 0 -1
 outer loop
@@ -52,7 +52,7 @@ v 5 0 2
 f 5 6 7
 )";
 
-/// A triangle in decimetres, y up, twice: in nodes "left" and "right" at 10 dm along -x and x.
+/// A triangle in decimetres, y up, placed by the nodes "left" and "right" at -10 dm and 10 dm on x.
 inline constexpr std::string_view kCollada = R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><created>2020-01-01</created><modified>2020-01-01</modified><unit name="decimeter" meter="0.1"/>

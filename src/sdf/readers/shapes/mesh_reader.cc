@@ -55,7 +55,7 @@ description::Mesh readMesh(const Element& element, const std::string& owner, boo
   mesh.file = asset.path;
   if (asset.path.empty() || !isCollision) return mesh;
 
-  const assets::MeshStore::Found found = context.includes.meshes().find(mesh.file, mesh.submesh, mesh.isCentered);
+  const assets::MeshStore::Result found = context.includes.meshes().find(mesh.file, mesh.submesh, mesh.isCentered);
   if (const auto* problem = std::get_if<assets::Problem>(&found)) {
     asset.warn(*problem, context);
   } else {
