@@ -15,9 +15,9 @@ std::time_t timeOf(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? timegm(&parts) : 0;
 }
 
-/// Password callback that supplies none, and records in the bool `asked` points to that it was called.
-int noPassword(char*, int, int, void* asked) {
-  *static_cast<bool*>(asked) = true;
+/// OpenSSL's callback for passwords. Supplies none, and sets the bool that `wasCalled` points to.
+int noPassword(char*, int, int, void* wasCalled) {
+  *static_cast<bool*>(wasCalled) = true;
   return -1;
 }
 
@@ -54,10 +54,10 @@ Owned<EVP_PKEY> readKey(const std::filesystem::path& file) {
   const std::string text = contentsOf(file);
   requireSecret(file);
   const Owned<BIO> bio = readable(text);
-  bool isAsked = false;
-  Owned<EVP_PKEY> key(PEM_read_bio_PrivateKey(bio.get(), nullptr, noPassword, &isAsked));
+  bool needsPassword = false;
+  Owned<EVP_PKEY> key(PEM_read_bio_PrivateKey(bio.get(), nullptr, noPassword, &needsPassword));
   ERR_clear_error();
-  if (isAsked) {
+  if (needsPassword) {
     throw KeystoreError(file.string() + " is protected by a password, which is not supported",
                         "openssl pkey -in " + file.string() + " -out key.pem removes it");
   }

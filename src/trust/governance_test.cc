@@ -7,7 +7,7 @@
 namespace pongsim::trust {
 namespace {
 
-// As sros2 has it by default, for domain 0.
+// The file that sros2 writes by default, for domain 0.
 constexpr const char* kSros2 = R"(<?xml version="1.0" encoding="UTF-8"?>
 <dds>
   <domain_access_rules>

@@ -23,8 +23,8 @@ constexpr const char* kGovernance = "governance.p7s";
 constexpr const char* kPermissions = "permissions.p7s";
 constexpr const char* kRevoked = "crl.pem";
 
-/// Checks certificate and key.
-void readWho(const fs::path& folder, SecureIdentity& identity) {
+/// Reads and checks the certificate and its key.
+void readCertificates(const fs::path& folder, SecureIdentity& identity) {
   const trust::Certificate authority = trust::readCertificate(folder / kIdentityAuthority);
   const trust::Certificate certificate = trust::readCertificate(folder / kCertificate);
   const auto key = trust::readKey(folder / kKey);
@@ -37,8 +37,8 @@ void readWho(const fs::path& folder, SecureIdentity& identity) {
   identity.validUntil = std::min(authority.validUntil(), certificate.validUntil());
 }
 
-/// Checks the signed documents.
-void readWhat(const fs::path& folder, std::optional<int> domain, SecureIdentity& identity) {
+/// Reads and checks the signed documents: governance and permissions.
+void readDocuments(const fs::path& folder, std::optional<int> domain, SecureIdentity& identity) {
   const trust::Certificate authority = trust::readCertificate(folder / kPermissionsAuthority);
   trust::requireValidNow(authority);
   const fs::path governance = folder / kGovernance;
@@ -63,8 +63,8 @@ SecureIdentity readIdentity(const std::string& folder, std::optional<int> domain
   if (error) throw KeystoreError("there is no folder '" + folder + "'");
   identity.folder = real.string();
   identity.name = trust::nameOf(real);
-  readWho(folder, identity);
-  readWhat(folder, domain, identity);
+  readCertificates(folder, identity);
+  readDocuments(folder, domain, identity);
   return identity;
 }
 

@@ -27,7 +27,8 @@ struct Free {
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
 
-/// @return The text for OpenSSL to read. It must outlive the result.
+/// @param text Must outlive the result.
+/// @return An object from which OpenSSL reads the text.
 inline Owned<BIO> readable(std::string_view text) {
   return Owned<BIO>(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }

@@ -76,8 +76,8 @@ TopicRule ruleIn(const fs::path& file, const XMLElement& element) {
   return rule;
 }
 
-/// @return Whether `wider` certainly matches everything that `pattern` matches. A '?' or a set in `wider` proves
-/// nothing: it would match a literal '*' in `pattern`.
+/// @return Whether `wider` certainly matches everything that `pattern` matches. Found by matching `wider` against the
+/// text of `pattern`; not if `wider` has a '?' or a set, which would match a '*' in that text.
 bool isSurelyWider(const std::string& wider, const std::string& pattern) {
   if (wider == pattern) return true;
   return wider.find_first_of("?[]") == std::string::npos && fnmatch(wider.c_str(), pattern.c_str(), FNM_NOESCAPE) == 0;

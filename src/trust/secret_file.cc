@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Documents of a keystore are far smaller.
+// Limit for the documents of a keystore, which are far smaller [bytes].
 constexpr std::uintmax_t kLongestFile = 1 << 20;
 
 unsigned modeOf(const fs::path& path) {
@@ -34,8 +34,8 @@ unsigned modeOf(const fs::path& path) {
   return stat(path.c_str(), &about) == 0 ? about.st_mode & 07777U : 0;
 }
 
-/// @return Whether another user can get into the folder. Each folder has its own group, and a user in one's group can
-/// count among "others" at the next.
+/// @return Whether another user can enter the folder: whether at each folder of the path, its group or others may. The
+/// groups can differ from folder to folder, so a user may be in one folder's group and among the others of the next.
 bool isReachable(const fs::path& folder) {
   for (fs::path each = folder;; each = each.parent_path()) {
     if ((modeOf(each) & (S_IXGRP | S_IXOTH)) == 0) return false;
