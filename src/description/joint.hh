@@ -13,7 +13,7 @@ namespace pongsim::description {
 
 enum class JointType { kRevolute, kContinuous, kPrismatic, kBall, kFixed, kUniversal, kRevolute2, kScrew, kGearbox };
 
-/// @return The format's name for the type: "revolute".
+/// @return SDF's name for the type: "revolute".
 std::string_view name(JointType type);
 
 /// `<axis>`: a degree of freedom. Angles [rad] and their derivatives for a rotation axis, [m] for a translation axis.

@@ -9,7 +9,7 @@
 
 namespace pongsim::description {
 
-/// A part of a world that is only loaded while a performer is near.
+/// A part of a world that is loaded only while a performer is near.
 struct Level {
   /// A `<ref>`: the name of a model, light or actor of the world.
   struct Member {

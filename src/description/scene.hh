@@ -34,7 +34,7 @@ struct Fog {
   bool operator==(const Fog&) const = default;
 };
 
-/// `<scene>`: what is visible beside visuals and lights.
+/// `<scene>`: background, fog, sky and ambient light.
 struct Scene {
   Color ambient{0.4F, 0.4F, 0.4F, 1};
   Color background{0.7F, 0.7F, 0.7F, 1};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -80,8 +81,9 @@ class Scope {
   /// @return All frames, the scope's own first.
   const std::vector<Frame>& frames() const { return frames_; }
 
-  const Pose& pose(std::size_t frame) const { return resolved_[frame].X_ScopeFrame; }
-  const std::string& link(std::size_t frame) const { return resolved_[frame].link; }
+  /// @param frame Index, as returned by `add`; 0: the scope's own frame.
+  const Pose& pose(std::size_t frame) const { return resolved(frame).X_ScopeFrame; }
+  const std::string& link(std::size_t frame) const { return resolved(frame).link; }
   const std::string& label() const { return label_; }
 
  private:
@@ -92,6 +94,10 @@ class Scope {
     std::optional<ResolvedFrame> inside;
   };
 
+  const ResolvedFrame& resolved(std::size_t frame) const {
+    assert(frame < resolved_.size());
+    return resolved_[frame];
+  }
   std::optional<Reference> lookUp(std::string_view path) const;
   /// @return "did you mean 'inner::frame'?", or an empty text.
   std::string nearestPath(std::string_view path) const;
