@@ -51,21 +51,33 @@ function(pongsim_plugin name)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGINS ${target})
 endfunction()
 
-# pongsim_extension(NAME [PAGE])
+# pongsim_extension(NAME [PROGRAM target] [PAGE])
 # Puts a component's descriptor, share/NAME.json (docs/extensions.md), where the program looks for it in the build tree and
-# in an installation. PAGE: also makes the manual page of its command, pongsim-NAME.
+# in an installation. PROGRAM, which `pongsim NAME` runs, adds its own actions and options to it. PAGE: also makes the manual
+# page of the command, pongsim-NAME.
 function(pongsim_extension name)
-  cmake_parse_arguments(arg "PAGE" "" "" ${ARGN})
-  configure_file(share/${name}.json ${CMAKE_BINARY_DIR}/share/pongsim/extensions/${name}.json COPYONLY)
-  install(FILES share/${name}.json DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim/extensions)
+  cmake_parse_arguments(arg "PAGE" "PROGRAM" "" ${ARGN})
+  set(written ${CMAKE_CURRENT_SOURCE_DIR}/share/${name}.json)
+  set(descriptor ${CMAKE_BINARY_DIR}/share/pongsim/extensions/${name}.json)
+  # leaks in what runs only here do not matter
+  set(run ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0 ${CMAKE_CROSSCOMPILING_EMULATOR})
+  if(arg_PROGRAM)
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/pongsim/extensions)
+    set_property(TARGET ${arg_PROGRAM} APPEND PROPERTY LINK_DEPENDS ${written})
+    add_custom_command(TARGET ${arg_PROGRAM} POST_BUILD VERBATIM BYPRODUCTS ${descriptor}
+      COMMAND ${run} $<TARGET_FILE:${arg_PROGRAM}> --describe ${written} > ${descriptor})
+    # without it, `pongsim run` would not have the options of the component's systems
+    set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGINS ${arg_PROGRAM})
+  else()
+    configure_file(${written} ${descriptor} COPYONLY)
+  endif()
+  install(FILES ${descriptor} DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim/extensions)
   if(NOT arg_PAGE)
     return()
   endif()
   set(page ${CMAKE_CURRENT_BINARY_DIR}/pongsim-${name}.1)
-  add_custom_command(OUTPUT ${page} DEPENDS pongsim pongsim_manual share/${name}.json VERBATIM
-    COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0
-            ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:pongsim_manual>
-            ${CMAKE_CURRENT_BINARY_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/share/${name}.json)
+  add_custom_command(OUTPUT ${page} DEPENDS pongsim pongsim_manual ${arg_PROGRAM} ${descriptor} VERBATIM
+    COMMAND ${run} $<TARGET_FILE:pongsim_manual> ${CMAKE_CURRENT_BINARY_DIR} ${descriptor})
   add_custom_target(pongsim_${name}_words ALL DEPENDS ${page})
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endfunction()

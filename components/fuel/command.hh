@@ -7,7 +7,7 @@
 
 namespace pongsim::fuel {
 
-/// Adds the actions of `pongsim fuel`. They are also listed in share/fuel.json, for help and completion.
+/// Adds the actions of `pongsim fuel`.
 void addActions(CLI::App& program, cli::Work& work);
 
 /// @return The words of a command line.

@@ -4,7 +4,7 @@
 
 namespace pongsim::security {
 
-/// Adds the actions of `pongsim security`. They are also listed in share/security.json, for help and completion.
+/// Adds the actions of `pongsim security`.
 void addActions(CLI::App& program, cli::Work& work);
 
 }  // namespace pongsim::security

@@ -4,8 +4,7 @@
 
 namespace pongsim::log {
 
-// The actions of `pongsim log` (`cli::AddCommand`). Each is also listed in main.cc, and in share/log.json for help
-// and completion.
+// The actions of `pongsim log` (`cli::AddCommand`), which main.cc lists.
 void addPlaybackAction(CLI::App& program, cli::Work& work);
 void addWorldAction(CLI::App& program, cli::Work& work);
 void addConvertAction(CLI::App& program, cli::Work& work);

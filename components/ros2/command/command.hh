@@ -7,8 +7,7 @@
 
 namespace pongsim::ros2 {
 
-// The actions of `pongsim ros2` (`cli::AddCommand`). Each is also listed in main.cc, and in share/ros2.json for help
-// and completion.
+// The actions of `pongsim ros2` (`cli::AddCommand`), which main.cc lists.
 void addCheckAction(CLI::App& program, cli::Work& work);
 void addCreateAction(CLI::App& program, cli::Work& work);
 void addNodesAction(CLI::App& program, cli::Work& work);

@@ -98,7 +98,8 @@ int showNodes(const NodesCommandLine& given) {
 
 void addNodesAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<NodesCommandLine>();
-  CLI::App* action = program.add_subcommand("nodes", "List the nodes in the domain, describe one");
+  CLI::App* action = program.add_subcommand(
+      "nodes", "List the nodes in the domain, or describe one: its topics, services and actions");
   action->add_option("NODE", given->node, "Describe this node: its topics, services and actions")->type_name("");
   action->add_flag("-v,--verbose", given->isVerbose, "Describe all of them")->disable_flag_override();
   action->add_flag("--json", given->asJson, "Print JSON: an array with everything known about each")

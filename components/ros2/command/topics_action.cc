@@ -221,7 +221,8 @@ double numberOption(const char* option, const std::string& text, double most) {
 
 void addTopicsAction(CLI::App& program, cli::Work& work) {
   const auto given = std::make_shared<TopicsCommandLine>();
-  CLI::App* action = program.add_subcommand("topics", "List what a running simulation bridges, with rates");
+  CLI::App* action = program.add_subcommand(
+      "topics", "List what a running simulation bridges, with readers, writers, rates and drops");
   const auto add = [action](const char* names, const char* value, const char* help, auto take) {
     action->add_option_function<std::string>(names, take, help)->type_name(value);
   };

@@ -13,6 +13,7 @@
 #include "pongsim/program/keystore.hh"
 #include "pongsim/program/nearest_word.hh"
 #include "shared/program/console.hh"
+#include "shared/program/descriptor.hh"
 
 namespace pongsim::cli {
 
@@ -163,7 +164,15 @@ int reportingFailures(const Work& work) {
 }
 
 int run(int argc, char** argv, const Program& program) {
-  return reportingFailures([&] { return workOf({argv + std::min(argc, 1), argv + argc}, program)(); });
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  return reportingFailures([&] {
+    // for the build: see pongsim_extension in cmake/Targets.cmake
+    if (words.size() == 2 && words.front() == "--describe") {
+      Work none;
+      return print(descriptorWithActions(words.back(), *makeApp(program, none))) ? kDone : kFailed;
+    }
+    return workOf(std::move(words), program)();
+  });
 }
 
 }  // namespace pongsim::cli
