@@ -64,7 +64,7 @@ std::optional<std::size_t> offsetOf(ElfFile& file, const ElfW(Ehdr) & header, st
   return std::nullopt;
 }
 
-/// @return The address of the table if it is among a section's names, which are those that the library exports.
+/// @return The address of the table of systems, if it is among the symbols of this section, which the library exports.
 std::optional<std::size_t> tableAmong(ElfFile& file, const ElfW(Shdr) & names, const ElfW(Shdr) & textsOfNames) {
   const auto symbols = file.at<ElfW(Sym)>(names.sh_offset, names.sh_size / sizeof(ElfW(Sym)));
   const auto texts = file.at<char>(textsOfNames.sh_offset, textsOfNames.sh_size);

@@ -34,7 +34,7 @@ class Loader {
   std::vector<std::filesystem::path> searchPath_;
   /// Keyed by short name.
   std::map<std::string, std::unique_ptr<Library>> libraries_;
-  /// Missing systems of Fortress and others that were warned about.
+  /// Missing systems that a warning was given for.
   std::vector<std::string> missed_;
 };
 

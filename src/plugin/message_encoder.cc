@@ -29,7 +29,7 @@ std::unique_ptr<MessageEncoder> makeMessageEncoder(std::string_view name, const 
         {}, "the message encoder of '" + std::string(name) + "' can't be loaded from " + file->string() + ": " + *why);
     return nullptr;
   }
-  // it stays loaded
+  // the table remains valid, because libraries stay loaded
   const EncoderTable* table = std::get<std::unique_ptr<plugin::Library>>(opened)->encoder();
   if (table == nullptr) {
     diagnostics.error({}, file->string() + " is not a message encoder");

@@ -11,7 +11,7 @@ class MessageEncoderTest : public testing::Test {
  protected:
   MessageEncoderTest() { setenv("PONGSIM_PLUGIN_PATH", PONGSIM_TEST_PLUGINS, 1); }
 
-  /// @return Why there is no such encoder: the only error, and its hint on a line of its own.
+  /// @return The only error, and its hint in a second line: why the encoder can't be used.
   std::string reason(const std::string& name, const EncoderSettings& settings = {}) {
     Diagnostics diagnostics;
     EXPECT_EQ(makeMessageEncoder(name, settings, diagnostics), nullptr);
