@@ -10,25 +10,25 @@ namespace pongsim::hostile {
 
 namespace {
 
-// Parameters (RTPS 2.3, 9.6.2.2).
+// Ids of parameters (RTPS 2.3, 9.6.2.2).
 constexpr std::uint16_t kLease = 0x02, kTopicName = 0x05, kTypeName = 0x07, kVersion = 0x15, kVendor = 0x16,
                         kReliability = 0x1a, kPartition = 0x29, kUserData = 0x2c, kUnicast = 0x2f,
                         kDefaultUnicast = 0x31, kMetatrafficUnicast = 0x32, kMetatrafficMulticast = 0x33,
                         kParticipantGuid = 0x50, kBuiltinEndpoints = 0x58, kProperties = 0x59, kEndpointGuid = 0x5a,
                         kName = 0x62, kKeyHash = 0x70, kStatus = 0x71;
-// Disposed and unregistered, big-endian.
+// Status of an instance: disposed and unregistered, big-endian.
 constexpr std::uint32_t kGone = 0x03000000;
 
 constexpr std::uint32_t kLoopback = 0x7f000001;
-// What a participant has at least: participants, publications and subscriptions, both ways.
+// The built-in endpoints of every participant: writers and readers of participants, publications and subscriptions.
 constexpr std::uint32_t kDiscovery = 0x3f;
 
 constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
 
-// Topics that a run has, of other types than these.
+// Topics of a running world. Attacks announce them with another type.
 constexpr std::array<std::string_view, 5> kTopics = {"/clock", "/stats", "/cmd_vel", "pongsim/census", "/chatter"};
 
-/// Begins a sample that is a list of parameters.
+/// Adds the header of a sample that is a parameter list.
 void beginList(Packet& packet) { packet.add32(0x00000300); }
 
 constexpr std::array<std::pair<std::string_view, Attack>, 11> kAttacks = {{
@@ -59,7 +59,7 @@ Attacker::Attacker(int domain, std::uint64_t seed)
 
 std::size_t Attacker::look(std::chrono::milliseconds atMost) {
   using std::chrono::milliseconds;
-  // who hears of a new participant answers at once
+  // a participant that discovers a new one announces itself to it at once
   for (int i = 0; i < kMostParticipants; ++i) {
     const std::uint16_t port = discoveryPort(domain_, i);
     if (port != foothold_.port()) foothold_.send(participant(own_, true).bytes(), port);
@@ -71,7 +71,7 @@ std::size_t Attacker::look(std::chrono::milliseconds atMost) {
 void Attacker::strike(Attack attack) {
   if (neighbours_.empty()) return;
   target_ = neighbours_[below(static_cast<std::uint32_t>(neighbours_.size()))];
-  // one that is known can do more harm
+  // messages of unknown participants are dropped early, so the attacker announces itself
   if (count_++ % 512 == 0 && attack != Attack::kLeases) send(participant(own_, true), target_.discoveryPort);
   switch (attack) {
     case Attack::kParticipants:
@@ -108,13 +108,13 @@ void Attacker::send(const Packet& packet, std::uint16_t port) {
 Prefix Attacker::freshPrefix() {
   Prefix prefix{};
   for (std::uint8_t& each : prefix) each = static_cast<std::uint8_t>(below(256));
-  // the vendor's, as the library has it
+  // Fast DDS begins its prefixes with its vendor id
   prefix[0] = 1;
   prefix[1] = 0x0f;
   return prefix;
 }
 
-/// The library counts its endpoints, so that their ids are easily guessed.
+/// Fast DDS numbers its endpoints consecutively, so their ids are easy to guess.
 EntityId Attacker::guessedEndpoint(bool isWriter) {
   constexpr std::uint32_t kWriterWithoutKey = 0x03, kReaderWithoutKey = 0x04;
   return (1 + below(64)) << 8 | (isWriter ? kWriterWithoutKey : kReaderWithoutKey);
@@ -140,8 +140,8 @@ std::string Attacker::enormousName() {
   return "/" + std::to_string(random_()) + name;
 }
 
-/// @param isHonest Whether it could be a participant of the attacker's process.
-/// @param lease Of an honest one, in seconds.
+/// @param isHonest Whether the announcement is valid and has the attacker's own address.
+/// @param lease Lease duration of an honest one [s].
 Packet Attacker::participant(const Prefix& prefix, bool isHonest, std::uint32_t lease) {
   Packet packet(prefix);
   packet.beginData(entity::kSpdpReader, entity::kSpdpWriter, isHonest ? 1 : 1 + below(3), kWithData);
@@ -168,7 +168,7 @@ Packet Attacker::participant(const Prefix& prefix, bool isHonest, std::uint32_t 
 }
 
 void Attacker::addOddLocators(Packet& packet) {
-  // this machine, a third party, a group, everybody
+  // this machine, another host, a multicast group, broadcast, none
   constexpr std::array<std::uint32_t, 5> kAddresses = {kLoopback, 0xc0000201, 0xefff0001, 0xffffffff, 0};
   const std::array<std::uint32_t, 5> ports = {0, target_.discoveryPort, target_.userPort, 65535, 0xffffffff};
   for (const std::uint16_t id : {kMetatrafficUnicast, kDefaultUnicast, kMetatrafficMulticast}) {
@@ -181,7 +181,7 @@ void Attacker::addOddLocators(Packet& packet) {
 Packet Attacker::forgedParticipant() {
   const Neighbour& victim = neighbours_[below(static_cast<std::uint32_t>(neighbours_.size()))];
   if (oneIn(3)) return participant(victim.prefix, oneIn(2));
-  // its end, or that of one of its endpoints
+  // a message that ends the participant or one of its endpoints
   Packet packet(victim.prefix);
   const bool isParticipant = oneIn(2);
   const bool isWriter = oneIn(2);
@@ -218,7 +218,7 @@ Packet Attacker::endpoint(const Prefix& prefix, EntityId id, std::string_view to
 Packet Attacker::floodOfEndpoints() {
   const EntityId id = (below(1 << 24) << 8) | (oneIn(2) ? 0x03 : 0x04);
   if (oneIn(3)) return endpoint(own_, id, kTopics[below(kTopics.size())], "ignition.msgs.Clock");
-  // in another's name, too
+  // sometimes with the target's GUID
   return endpoint(oneIn(8) ? target_.prefix : own_, id, enormousName(),
                   oneIn(8) ? enormousName() : "ignition.msgs.Pose");
 }
@@ -258,7 +258,7 @@ Packet Attacker::forgedData() {
 
 Packet Attacker::fragment() {
   constexpr EntityId kWriter = 0x00000103;
-  // the attacker's own publisher is heard by those who subscribe
+  // announce a publisher of the attacker's own, so that subscribers accept its fragments
   if (oneIn(64)) return endpoint(own_, kWriter, "/chatter", "ignition.msgs.StringMsg");
   Packet packet(oneIn(2) ? own_ : neighbours_[below(static_cast<std::uint32_t>(neighbours_.size()))].prefix);
   packet.begin(Kind::kDataFrag);
@@ -350,10 +350,10 @@ Packet Attacker::interpreter() {
   return packet;
 }
 
-/// Announces a participant to everybody, or ends one whose second is over.
+/// Announces a participant with a lease of a second to all neighbours, or says goodbye for one at the end of its lease.
 void Attacker::endOnTime() {
   using std::chrono::microseconds;
-  // of one socket no more are heard, and the attacker itself is one of them
+  // receivers accept only this many participants of one socket in addition to the attacker
   constexpr std::size_t kAtOnce = 3;
   const auto now = std::chrono::steady_clock::now();
   if (ends_.size() < kAtOnce) {

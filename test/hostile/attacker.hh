@@ -16,43 +16,43 @@
 
 namespace pongsim::hostile {
 
-/// What the messages of an attack have in common. All of them are well formed, or nearly.
+/// Kinds of attack. All messages are well formed, or nearly.
 enum class Attack {
-  /// Participants with fresh GUIDs: odd leases, locators of others, of third parties, of groups, of port 0.
+  /// Participants with new GUIDs, odd leases, and locators of other participants, other hosts, groups or port 0.
   kParticipants,
-  /// The same, each from a socket of its own.
+  /// The same, each sent from a new socket.
   kSockets,
-  /// Messages in the name of participants that are there: their end, their endpoints' end, other addresses for them.
+  /// Messages with the GUIDs of existing participants: that they or their endpoints have gone, or other addresses.
   kForgedParticipants,
-  /// A participant with endless endpoints, enormous names, other types for known topics.
+  /// A participant with ever more endpoints, enormous names, and other types for known topics.
   kEndpoints,
-  /// Endpoints whose parameters have wrong lengths, no end, come twice or are unknown.
+  /// Endpoints with parameters that are repeated, unknown, not terminated or of wrong length.
   kParameters,
-  /// Samples in the name of writers that are there, of numbers far ahead.
+  /// Samples with the GUIDs of existing writers, and sequence numbers far ahead.
   kForgedData,
-  /// A publisher whose samples are of gigabytes, in few fragments that overlap.
+  /// A publisher of samples that claim gigabytes, in few and overlapping fragments.
   kFragments,
-  /// Heartbeats and gaps in the name of writers, over all numbers there are.
+  /// Heartbeats and gaps with the GUIDs of existing writers, over the whole range of sequence numbers.
   kHeartbeats,
-  /// Readers, forged and the attacker's own, that want everything again.
+  /// Readers, forged and the attacker's own, that request all samples again.
   kAckNacks,
-  /// Changes of source, destination and time within a message, and submessages of DDS-Security.
+  /// Messages with many changes of source, destination and time, and submessages of DDS-Security.
   kInterpreter,
-  /// Participants that say that they end at the moment at which their lease does.
+  /// Participants that say goodbye at the moment when their lease ends.
   kLeases
 };
 
-/// @return All attacks by their names.
+/// @return All attacks with their names.
 std::span<const std::pair<std::string_view, Attack>> attacks();
 std::optional<Attack> attackOf(std::string_view name);
 
-/// Strikes at all participants of a domain of this machine. The same seed and neighbours make the same messages.
+/// Attacks all participants of a domain on this machine. The same seed and neighbours give the same messages.
 class Attacker {
  public:
   Attacker(int domain, std::uint64_t seed);
 
-  /// Looks for participants, for up to `atMost`.
-  /// @return How many are known.
+  /// Discovers participants, for up to `atMost`.
+  /// @return Their number.
   std::size_t look(std::chrono::milliseconds atMost);
 
   /// Sends one message.
@@ -61,7 +61,7 @@ class Attacker {
   std::uint64_t sent() const { return sent_; }
 
  private:
-  /// @return A number from 0 to `end`, without it.
+  /// @return A number from 0 to `end` - 1.
   std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
   bool oneIn(std::uint32_t chances) { return below(chances) == 0; }
   Prefix freshPrefix();
@@ -92,7 +92,7 @@ class Attacker {
   Neighbour target_;
   std::uint64_t sent_ = 0;
   std::uint32_t count_ = 0;
-  /// Participants that have been announced, and when they end.
+  /// Announced participants, and when they say goodbye.
   std::deque<std::pair<Prefix, std::chrono::steady_clock::time_point>> ends_;
 };
 

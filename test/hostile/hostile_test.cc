@@ -1,4 +1,4 @@
-// Messages that are well formed and mean ill do a world no lasting harm.
+// Well-formed but hostile messages do a world no lasting harm.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace pongsim::hostile {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-// which holds back as much of what has been freed
+// the sanitizer keeps this much of the freed memory
 constexpr std::uint64_t kSomeMemory = (100 + 256) << 20;
 #else
 constexpr std::uint64_t kSomeMemory = 100 << 20;

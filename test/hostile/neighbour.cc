@@ -17,11 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A port tells of itself in these parameters.
+// Parameters with the addresses of a participant.
 constexpr std::uint16_t kUserAddress = 0x31, kDiscoveryAddress = 0x32;
 
 constexpr std::size_t kHeader = 20;
-// Of a DATA submessage, up to its parameter list, and of that up to the first parameter.
+// Sizes: of a DATA submessage up to its parameter list, and of the list up to its first parameter.
 constexpr std::size_t kDataHeader = 20, kEncapsulation = 4;
 
 sockaddr_in loopback(std::uint16_t port) {
@@ -36,7 +36,7 @@ std::uint16_t read16(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8);
 }
 
-/// @return What follows a list of parameters.
+/// @return The bytes after a list of parameters.
 std::span<const std::uint8_t> afterList(std::span<const std::uint8_t> list) {
   while (list.size() >= 4) {
     const bool isEnd = read16(list, 0) == 1;
@@ -46,7 +46,7 @@ std::span<const std::uint8_t> afterList(std::span<const std::uint8_t> list) {
   return list;
 }
 
-/// Reads the ports in the parameters of a participant that speaks little-endian.
+/// Reads the ports from the parameters of a participant, which are little-endian.
 void readPorts(std::span<const std::uint8_t> parameters, Neighbour& neighbour) {
   while (parameters.size() >= 4) {
     const std::uint16_t id = read16(parameters, 0);
@@ -58,7 +58,7 @@ void readPorts(std::span<const std::uint8_t> parameters, Neighbour& neighbour) {
   }
 }
 
-/// @return Who announces itself in the message; ports are 0 where it is no announcement.
+/// @return The participant that announces itself; its ports are 0 if the message is no announcement.
 Neighbour readNeighbour(std::span<const std::uint8_t> message) {
   Neighbour neighbour;
   if (message.size() < kHeader) return neighbour;
@@ -88,7 +88,7 @@ std::uint16_t discoveryPort(int domain, int number) {
 Foothold::Foothold(int domain) {
   descriptor_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (descriptor_ < 0) throw std::runtime_error("no socket can be had");
-  // from the far end, where no honest participant looks first
+  // from the highest one down, because other participants take the lowest free one
   for (int i = kMostParticipants - 1; i >= 0 && port_ == 0; --i) {
     const std::uint16_t port = discoveryPort(domain, i);
     const sockaddr_in address = loopback(port);
@@ -120,7 +120,7 @@ std::vector<Neighbour> Foothold::hear(std::chrono::milliseconds duration, std::c
 
 void Foothold::send(std::span<const std::uint8_t> bytes, std::uint16_t port) const {
   const sockaddr_in address = loopback(port);
-  // what is lost is lost
+  // an error means a lost packet, as on any network
   static_cast<void>(
       sendto(descriptor_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&address), sizeof address));
 }

@@ -9,25 +9,25 @@
 
 namespace pongsim::hostile {
 
-/// So many participants a domain has room for on one machine.
+/// Highest number of participants of a domain on one machine.
 inline constexpr int kMostParticipants = 115;
 
-/// @return Where the participant of that number listens for others (RTPS 2.3, 9.6.1.1).
+/// @return The port where the participant with this number listens for announcements (RTPS 2.3, 9.6.1.1).
 std::uint16_t discoveryPort(int domain, int number);
 
-/// A participant of the domain, as it tells of itself.
+/// A participant of the domain, as it announces itself.
 struct Neighbour {
   Prefix prefix{};
-  /// Ports on 127.0.0.1 where it hears of others, and where it takes messages.
+  /// Ports on 127.0.0.1 for announcements and for messages.
   std::uint16_t discoveryPort = 0;
   std::uint16_t userPort = 0;
 };
 
-/// The attacker's own place in a domain: a socket of 127.0.0.1 at one of the domain's discovery ports, where the others
-/// announce themselves. All attacks leave from it, but for those that say otherwise.
+/// The attacker's socket: on 127.0.0.1, at one of the domain's discovery ports, so that other participants announce
+/// themselves to it. Messages of all attacks but `kSockets` are sent from it.
 class Foothold {
  public:
-  /// @throws std::runtime_error where the domain has no port left.
+  /// @throws std::runtime_error if the domain has no free port.
   explicit Foothold(int domain);
   ~Foothold();
   Foothold(const Foothold&) = delete;
@@ -35,10 +35,10 @@ class Foothold {
 
   std::uint16_t port() const { return port_; }
 
-  /// Listens for that long, and at least until somebody has been heard or `atMost` is over.
+  /// Listens for `duration`, and then on until a participant has been heard or `atMost` is over.
   std::vector<Neighbour> hear(std::chrono::milliseconds duration, std::chrono::milliseconds atMost);
 
-  /// Sends to 127.0.0.1. What has no room is lost, as on any wire.
+  /// Sends to 127.0.0.1. If the receiver's buffer is full, the packet is lost.
   void send(std::span<const std::uint8_t> bytes, std::uint16_t port) const;
 
  private:
@@ -46,7 +46,7 @@ class Foothold {
   std::uint16_t port_ = 0;
 };
 
-/// Sends to 127.0.0.1 from a socket that nobody has heard before, and closes it.
+/// Sends to 127.0.0.1 from a new socket, and closes it.
 void sendFromNewSocket(std::span<const std::uint8_t> bytes, std::uint16_t port);
 
 }  // namespace pongsim::hostile

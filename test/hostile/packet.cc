@@ -97,7 +97,7 @@ void Packet::addSentinel() {
 
 Packet goodbye(const Prefix& prefix) {
   constexpr std::uint16_t kKeyHash = 0x70, kStatus = 0x71;
-  // disposed and unregistered, big-endian
+  // status of an instance: disposed and unregistered, big-endian
   constexpr std::uint32_t kGone = 0x03000000;
   Packet packet(prefix);
   packet.beginData(entity::kSpdpReader, entity::kSpdpWriter, 2, kInlineQos);

@@ -42,8 +42,8 @@ enum class Kind : std::uint8_t {
 /// Flags of DATA.
 inline constexpr std::uint8_t kInlineQos = 2, kWithData = 4;
 
-/// An RTPS message as it is built, little-endian: numbers are appended, and `begin` and `end` stand around the body of
-/// each submessage and of each parameter.
+/// Builds an RTPS message, little-endian. `begin` and `end`, `beginParameter` and `endParameter` enclose the body of
+/// each submessage and parameter, and fill in its length.
 class Packet {
  public:
   explicit Packet(const Prefix& source);
@@ -52,17 +52,17 @@ class Packet {
   void add16(std::uint16_t number) { addNumber(number, 2); }
   void add32(std::uint32_t number) { addNumber(number, 4); }
   void addEntity(EntityId id);
-  /// A sequence number: the upper half comes first.
+  /// Adds a sequence number, upper half first.
   void addSequence(std::int64_t number);
   void addPrefix(const Prefix& prefix) { bytes_.insert(bytes_.end(), prefix.begin(), prefix.end()); }
   void addZeros(std::size_t count) { bytes_.resize(bytes_.size() + count); }
-  /// A set of sequence numbers, all `bits` of them in it, behind `base`.
+  /// Adds a set of `bits` sequence numbers, from `base` on, all of them members.
   void addSequenceSet(std::int64_t base, std::uint32_t bits);
   void addBytes(std::span<const std::uint8_t> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
 
-  /// @param flags Besides the one that says little-endian.
+  /// @param flags In addition to that for little-endian.
   void begin(Kind kind, std::uint8_t flags = 0);
-  /// @param length What the submessage says its length is; its true one where there is none.
+  /// @param length The length in the submessage's header; unset: the true one.
   void end(std::optional<std::uint16_t> length = std::nullopt) { close(length); }
   /// Begins a DATA submessage, up to its lists of parameters.
   void beginData(EntityId reader, EntityId writer, std::int64_t sequence, std::uint8_t flags);
@@ -84,11 +84,11 @@ class Packet {
   void close(std::optional<std::uint16_t> length);
 
   std::vector<std::uint8_t> bytes_;
-  /// Where the lengths of what has been begun belong.
+  /// Offsets of the length fields of open submessages and parameters.
   std::vector<std::size_t> open_;
 };
 
-/// @return The second word of a participant that announced itself: that it has gone.
+/// @return A participant's message that it has gone.
 Packet goodbye(const Prefix& prefix);
 
 }  // namespace pongsim::hostile

@@ -1,6 +1,6 @@
 // Attacks the participants of a DDS domain on this machine with well-formed but hostile RTPS messages.
 //   pongsim_rtps_fuzz --domain N [--seconds S] [--rate PACKETS] [--seed N] [KIND...]
-// Kinds: see attacker.hh; all in turn where none is named. A rate of 0 is as fast as it goes.
+// Kinds: see attacker.hh; without any, all in turn. A rate of 0 means as fast as possible.
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using pongsim::hostile::Attack;
 
-struct Wishes {
+struct Settings {
   int domain = -1;
   double seconds = 10;
   std::uint64_t rate = 0;
@@ -27,7 +27,7 @@ struct Wishes {
   std::vector<Attack> attacks;
 };
 
-/// @throws std::invalid_argument unless it is a number that is not negative.
+/// @throws std::invalid_argument unless the text is a number from 0 to 1e15.
 double numberFor(const std::string& option, const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -37,56 +37,57 @@ double numberFor(const std::string& option, const std::string& text) {
   return value;
 }
 
-/// @throws std::invalid_argument for what can't be meant.
-Wishes read(const std::vector<std::string>& arguments) {
-  Wishes wishes;
+/// @throws std::invalid_argument with the fault of the command line.
+Settings read(const std::vector<std::string>& arguments) {
+  Settings settings;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& name = arguments[i];
     if (!name.starts_with("--")) {
       const auto attack = pongsim::hostile::attackOf(name);
       if (!attack) throw std::invalid_argument("there is no attack '" + name + "'");
-      wishes.attacks.push_back(*attack);
+      settings.attacks.push_back(*attack);
       continue;
     }
     if (++i == arguments.size()) throw std::invalid_argument(name + " wants a number");
     const double value = numberFor(name, arguments[i]);
     if (name == "--domain") {
-      wishes.domain = static_cast<int>(std::min(value, 1000.0));
+      settings.domain = static_cast<int>(std::min(value, 1000.0));
     } else if (name == "--seconds") {
-      wishes.seconds = value;
+      settings.seconds = value;
     } else if (name == "--rate") {
-      wishes.rate = static_cast<std::uint64_t>(value);
+      settings.rate = static_cast<std::uint64_t>(value);
     } else if (name == "--seed") {
-      wishes.seed = static_cast<std::uint64_t>(value);
+      settings.seed = static_cast<std::uint64_t>(value);
     } else {
       throw std::invalid_argument("there is no option " + name);
     }
   }
-  if (wishes.domain < 0 || wishes.domain > 232) throw std::invalid_argument("--domain wants a number from 0 to 232");
-  if (wishes.attacks.empty()) {
-    for (const auto& [name, attack] : pongsim::hostile::attacks()) wishes.attacks.push_back(attack);
+  if (settings.domain < 0 || settings.domain > 232)
+    throw std::invalid_argument("--domain wants a number from 0 to 232");
+  if (settings.attacks.empty()) {
+    for (const auto& [name, attack] : pongsim::hostile::attacks()) settings.attacks.push_back(attack);
   }
-  return wishes;
+  return settings;
 }
 
-int strike(const Wishes& wishes) {
-  pongsim::hostile::Attacker attacker(wishes.domain, wishes.seed);
+int strike(const Settings& settings) {
+  pongsim::hostile::Attacker attacker(settings.domain, settings.seed);
   const std::size_t known = attacker.look(std::chrono::seconds(5));
   if (known == 0) {
-    std::fprintf(stderr, "pongsim_rtps_fuzz: error: nobody is in domain %d of this machine\n", wishes.domain);
+    std::fprintf(stderr, "pongsim_rtps_fuzz: error: nobody is in domain %d of this machine\n", settings.domain);
     return 1;
   }
   std::printf("strikes at %zu participants\n", known);
   std::fflush(stdout);
   const auto start = Clock::now();
-  const auto end = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wishes.seconds));
+  const auto end = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(settings.seconds));
   for (std::uint64_t i = 0; Clock::now() < end; ++i) {
-    if (wishes.rate > 0) {
-      const auto at = std::chrono::duration<double>(static_cast<double>(i) / static_cast<double>(wishes.rate));
+    if (settings.rate > 0) {
+      const auto at = std::chrono::duration<double>(static_cast<double>(i) / static_cast<double>(settings.rate));
       std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(at));
     }
-    // in turns of many, for some do harm only together
-    attacker.strike(wishes.attacks[i / 256 % wishes.attacks.size()]);
+    // 256 messages of each kind in turn, because some do harm only together
+    attacker.strike(settings.attacks[i / 256 % settings.attacks.size()]);
   }
   const double took = std::chrono::duration<double>(Clock::now() - start).count();
   std::printf("%llu packets, %.0f a second\n", static_cast<unsigned long long>(attacker.sent()),

@@ -27,7 +27,7 @@ std::size_t entries(pid_t pid, const char* folder) {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// @return So many as there always are: now and then one is opened for a moment, to ask the system for its sockets.
+/// @return The lowest count within 40 ms, because the library briefly opens a descriptor now and then, to list sockets.
 std::size_t fewestEntries(pid_t pid, const char* folder) {
   std::size_t fewest = entries(pid, folder);
   for (int i = 0; i < 20; ++i) {
@@ -115,7 +115,7 @@ bool Siege::newcomerHears() {
   return hasHeard;
 }
 
-/// @return What this process, who was there all the time, knows of others.
+/// @return The topics that this process has discovered.
 std::set<std::string> Siege::list() {
   std::set<std::string> names;
   for (const TopicInfo& each : transport_.discover(kDeadline)) names.insert(each.name);

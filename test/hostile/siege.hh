@@ -14,37 +14,37 @@
 
 namespace pongsim::hostile {
 
-/// What a run is worth while others do it harm.
+/// State and throughput of a running world during an attack.
 struct Figures {
   double seconds = 0;
   std::uint64_t memoryBefore = 0, memoryMost = 0, memoryAfter = 0;
-  /// Steps of the world that its clock told of, and messages of the other process that were heard.
+  /// Messages received on the world's clock, one per step, and from the publisher.
   std::uint64_t steps = 0, messages = 0;
-  /// Of the world's process.
+  /// Threads and open files of the world's process.
   std::size_t threadsBefore = 0, threadsAfter = 0, descriptorsBefore = 0, descriptorsAfter = 0;
-  /// From the end of the attack until somebody new heard the world; the tests' deadline at most.
+  /// Time from the end of the attack until a new subscriber received the clock, at most `kDeadline` [s].
   double recovery = 0;
-  /// From the end of the attack until the lists were what they were before.
+  /// Time from the end of the attack until the list of topics was as before [s].
   double clean = 0;
   bool isHeardAfterwards = false, isListedAsBefore = false;
-  /// The attacker's last words.
+  /// Output of the attacker.
   std::string attacker;
 };
 
-/// A world that runs in a process of its own, a publisher in another one, and this process, which hears both.
+/// A running world in one process, a publisher in another, and this process, which subscribes to both.
 class Siege {
  public:
-  /// Waits until everybody hears everybody.
-  /// @throws std::runtime_error where that never is.
+  /// Starts both, and waits for their messages.
+  /// @throws std::runtime_error if there are none within `kDeadline`.
   Siege();
 
-  /// Lets everything run for that long without an attack.
+  /// Measures without an attack.
   Figures rest(std::chrono::milliseconds duration);
-  /// The same under attack. Afterwards the world is asked by somebody new.
-  /// @param arguments For `pongsim_rtps_fuzz`, but for domain and duration.
+  /// Measures during an attack and the recovery from it.
+  /// @param arguments Of `pongsim_rtps_fuzz`, without domain and duration.
   Figures attack(const std::vector<std::string>& arguments, std::chrono::milliseconds duration);
 
-  /// @return Whether the world's process is there, and ends as it should when it is told to.
+  /// @return Whether the world's process still runs, and ends with code 0 on SIGINT.
   bool endsWell();
   const std::string& complaints() const { return complaints_; }
 

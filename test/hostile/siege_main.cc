@@ -1,5 +1,5 @@
-// Measures a world under attack, one kind after the other: pongsim_siege [SECONDS [KIND...]]. A line for each, beside
-// one of a time of rest; exit code 1 where memory, pace or recovery are not within bounds.
+// Measures a world under each kind of attack: pongsim_siege [SECONDS [KIND...]]. Prints a line for each, and one
+// without attack. Exit code 1 if memory, threads, open files or recovery are not within bounds.
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +17,7 @@ namespace {
 
 using pongsim::hostile::Figures;
 
-// What a process may grow by.
+// How much the memory of a process may grow [bytes].
 constexpr std::uint64_t kGrowth = 100 << 20;
 
 double mega(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
