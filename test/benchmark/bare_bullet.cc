@@ -97,7 +97,7 @@ void BareBullet::addJoint(const description::Joint& joint) {
     joints_.push_back(std::make_unique<btPoint2PointConstraint>(parent, child, inParent, inChild));
   } else if (joint.type == description::JointType::kRevolute) {
     const Vector3& axis = joint.axes.front().xyz;
-    // Bullet's hinge counts the other way round: the parent comes second
+    // the angle of Bullet's hinge has the opposite sign, so the parent comes second
     auto hinge = std::make_unique<btHingeConstraint>(child, parent, inChild, inParent,
                                                      toBullet(joint.X_ChildJoint.rotation * axis),
                                                      toBullet(joint.X_ParentJoint.rotation * axis));

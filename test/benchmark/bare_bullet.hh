@@ -12,21 +12,21 @@
 
 namespace pongsim::benchmark {
 
-/// Whose solver a bare loop has, and whose settings of it.
+/// The solver of a bare loop, with its settings.
 enum class BareSolver { kPongsim, kBullet };
 
-/// A world in Bullet as lean as one would write it by hand for robots on wheels, with nothing of pongsim but, if one
-/// wants, the solver and its settings: what our own step is compared with. It does not even look at the result. Knows
-/// boxes, spheres, cylinders, planes, revolute and ball joints.
+/// A minimal Bullet world for robots on wheels, as a reference for the cost of our own step. It has nothing of pongsim,
+/// or only the solver and its settings, and does not read the results of a step. Supports boxes, spheres, cylinders,
+/// planes, revolute and ball joints.
 class BareBullet {
  public:
   BareBullet(const description::World& world, BareSolver solver);
   ~BareBullet();
 
-  /// Drives all joints of that name [rad/s].
+  /// Drives all joints with this name [rad/s].
   void setVelocity(std::string_view joint, double velocity);
   void step(double dt) { world_->stepSimulation(dt, 0); }
-  /// @return Position of the first body of that link name.
+  /// @return Position of the first link with this name.
   btVector3 position(std::string_view link) const;
 
  private:
@@ -45,7 +45,7 @@ class BareBullet {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
   std::vector<Motor> motors_;
-  /// Of the model that was added last.
+  /// Bodies of the model that was added last.
   std::unordered_map<std::string, btRigidBody*> bodyOfLink_;
   std::unordered_map<std::string, btRigidBody*> firstBody_;
 };

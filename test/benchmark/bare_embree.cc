@@ -18,7 +18,7 @@ namespace pongsim::benchmark {
 
 namespace {
 
-// of a circle, as Fortress draws them
+// segments of a circle, as many as Fortress draws
 constexpr int kSegments = 32;
 
 struct Triangles {
@@ -40,7 +40,7 @@ Vector3 onCircle(int segment, double radius, double z) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// A body that is round about z, through rings of that radius and height.
+/// Adds a solid of revolution about z, through rings with these radii and heights.
 void addRings(const std::vector<std::pair<double, double>>& rings, Triangles& triangles) {
   const auto first = static_cast<std::uint32_t>(triangles.vertices.size());
   for (const auto& [radius, z] : rings) {

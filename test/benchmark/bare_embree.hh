@@ -9,18 +9,19 @@
 
 namespace pongsim::benchmark {
 
-/// The visuals of a world's links as triangles in one scene of Embree's, in single precision, and nothing around it.
+/// The visuals of a world's links as triangles in one Embree scene, with nothing around it.
 class BareEmbree {
  public:
-  /// @param world Of boxes, spheres, cylinders and planes.
+  /// @param world With boxes, spheres, cylinders and planes only.
   explicit BareEmbree(const description::World& world);
   ~BareEmbree();
 
-  /// @return How many triangles there are.
+  /// @return The number of triangles.
   std::size_t size() const { return size_; }
 
-  /// Casts one beam after another from a place in the world.
-  /// @param ranges One a direction.
+  /// Casts one beam after another.
+  /// @param origin World frame [m].
+  /// @param ranges One for each direction.
   void cast(const Vector3& origin, const std::vector<Vector3>& directions, double farthest,
             std::vector<float>& ranges) const;
 

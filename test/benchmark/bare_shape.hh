@@ -8,7 +8,7 @@
 
 namespace pongsim::benchmark {
 
-/// @return A box, sphere, cylinder or plane as Bullet has it, with the margins that the engine gives them.
+/// @return Bullet's shape for a box, sphere, cylinder or plane, with the margins of our engine.
 /// @throws std::invalid_argument for anything else.
 std::unique_ptr<btCollisionShape> bareShape(const description::Geometry& geometry);
 

@@ -22,7 +22,7 @@ namespace pongsim::benchmark {
 namespace {
 
 constexpr double kStep = 0.001;
-// as DiffDrive commands the wheels of the tutorial's robot: half of 1.2 m from the middle, of a radius of 0.4 m
+// wheels of the tutorial's robot [m]
 constexpr double kRadius = 0.4, kHalfSeparation = 0.6;
 
 struct Case {

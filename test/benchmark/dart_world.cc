@@ -55,7 +55,7 @@ void DartWorld::setVelocity(const std::string& joint, double velocity) {
 }
 
 void DartWorld::step(double dt) {
-  // as Fortress does: a command holds for one step
+  // in each step, as Fortress does, because a command holds for one step
   for (const auto& [joint, velocity] : content_->motors) joint->SetVelocityCommand(0, velocity);
   content_->input.Get<std::chrono::steady_clock::duration>() =
       std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(dt));

@@ -7,19 +7,20 @@
 
 namespace pongsim::benchmark {
 
-/// A world in DART by way of ign-physics, with nothing around it: the engine of Fortress's server.
+/// A world in Fortress's engine, DART through ign-physics, with nothing around it.
 class DartWorld {
  public:
-  /// @throws std::runtime_error where the text is no world, or the engine is not there.
+  /// @throws std::runtime_error if the text is not a world, or the engine is not installed.
   explicit DartWorld(const std::string& sdf);
   ~DartWorld();
   DartWorld(DartWorld&&) noexcept;
 
-  /// Drives all joints of that name from now on [rad/s].
+  /// Drives all joints with this name from now on [rad/s].
   void setVelocity(const std::string& joint, double velocity);
   /// @param dt [s]
   void step(double dt);
-  /// @return Position of the first link of that name in a model of that name, world frame [m]; any model if empty.
+  /// @param model Name of the model; empty: any.
+  /// @return Position of the first link with this name, world frame [m].
   Vector3 position(const std::string& model, const std::string& link) const;
 
  private:

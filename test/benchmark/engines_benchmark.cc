@@ -32,10 +32,10 @@ std::string tutorialWorld() {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Processor time of this process so far [us].
+/// @return Processor time of this process so far [us].
 double processorTime() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Reads numbers of steps, and prints the processor time of each [us].
+/// Reads numbers of steps from stdin, makes so many each time, and prints their processor time [us].
 void serve(Simulation& simulation) {
   std::puts("ready");
   std::fflush(stdout);

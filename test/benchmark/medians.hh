@@ -10,8 +10,8 @@ namespace pongsim::benchmark {
 /// Prints benchmarks as usual, and keeps their medians.
 class Medians final : public ::benchmark::ConsoleReporter {
  public:
-  /// Runs all that are registered: nine short runs of each in mixed order, unless the command line says otherwise.
-  /// @return Whether the command line could be understood.
+  /// Runs all registered benchmarks: nine short runs of each in random order, unless the command line says otherwise.
+  /// @return Whether the command line was valid.
   bool run(int argc, char** argv);
 
   /// @return CPU time of a run [the benchmark's unit]; 0 if it was not measured.

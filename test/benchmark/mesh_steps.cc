@@ -43,7 +43,7 @@ description::World bowls(description::MeshOptimization optimization, bool haveBa
   return world;
 }
 
-/// @param number They shall not be the same.
+/// @param number Varies the ring, so that no two are the same.
 description::TriangleMesh ring(int number) {
   std::vector<std::pair<double, double>> line;
   for (int i = 0; i < 40; ++i) {

@@ -6,12 +6,11 @@
 
 namespace pongsim::benchmark {
 
-/// Steps of ten bowls of 4,800 triangles on a plane, perhaps with a ball in each, all at rest.
+/// Measures steps of ten bowls of 4,800 triangles at rest on a plane, with or without a ball in each.
 void stepBowls(::benchmark::State& run, description::MeshOptimization optimization, bool haveBalls);
 
-/// What comes before the first step of ten meshes of 5,000 triangles each, one of which is not like another: five bowls
-/// and five rings.
-/// @param isWarm Whether their pieces have been kept.
+/// Measures the time before the first step of ten different meshes of 5,000 triangles each: five bowls and five rings.
+/// @param isWarm Whether their convex pieces are in the cache.
 void startMeshes(::benchmark::State& run, bool isWarm);
 
 }  // namespace pongsim::benchmark

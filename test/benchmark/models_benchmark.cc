@@ -1,5 +1,5 @@
-// Measures the cost of reading, inserting, removing and publishing models, for few and for many, and that of loading
-// robots whose systems have topics: a row that grows from left to right is worse than linear.
+// Measures the cost per model of reading, inserting, removing and publishing models, and per robot of loading robots
+// with topics, for different numbers. A cost that grows from left to right is worse than linear.
 
 #include <ignition/msgs/scene.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
@@ -26,7 +26,7 @@ namespace pongsim::benchmark {
 namespace {
 
 constexpr std::array kCounts{300, 1000, 3000, 10000};
-/// The best of this many runs counts.
+/// Number of runs, of which the fastest counts.
 constexpr int kRuns = 3;
 
 /// @return Processor time of the process [us].
@@ -154,7 +154,7 @@ std::string robotsWorld(int count) {
   return world + "</world></sdf>";
 }
 
-/// Prints what loading and ending robots cost that other processes can find and reach.
+/// Prints the cost of loading and ending robots whose topics other processes can discover.
 void printRobots() {
   constexpr std::array kRobots{30, 100, 300, 1000, 3000};
   std::array<double, kRobots.size()> loading{}, ending{};

@@ -101,7 +101,7 @@ void MultiBodyWorld::addTree(const description::Model& model) {
   if (base != nullptr) addCollider(body, -1, *base);
   for (const description::Joint& joint : model.joints)
     addCollider(body, indices.at(joint.child), *links.at(joint.child));
-  // Bullet would look for contacts before it has put them in their places
+  // initially, Bullet detects contacts before it has computed the poses of the links
   btAlignedObjectArray<btQuaternion> turns;
   btAlignedObjectArray<btVector3> origins;
   body.forwardKinematics(turns, origins);

@@ -13,21 +13,21 @@ class btMultiBody;
 
 namespace pongsim::benchmark {
 
-/// A world in Bullet's reduced coordinates (`btMultiBody`, Featherstone's method), for models that are trees of links
-/// with revolute and ball joints, and static ones of one link: what our own solver is compared with.
+/// A world in Bullet's reduced coordinates (`btMultiBody`, Featherstone's method), as a reference for our solver.
+/// Supports models that are trees of links with revolute and ball joints, and static models of one link.
 class MultiBodyWorld {
  public:
-  /// @throws std::invalid_argument where it does not know how.
+  /// @throws std::invalid_argument if the world has something else.
   MultiBodyWorld(const description::World& world, int iterations);
   ~MultiBodyWorld();
 
-  /// Drives all joints of that name [rad/s].
+  /// Drives all joints with this name [rad/s].
   void setVelocity(std::string_view joint, double velocity);
   void step(double dt);
-  /// @return Position of the base of the first model that moves.
+  /// @return Position of the base of the first model that is not static.
   Vector3 basePosition() const;
-  /// Of the first model that moves: angle [rad] and its derivative of the revolute joint that has that place in the
-  /// file.
+  /// Angle [rad] and its derivative, of a revolute joint of the first model that is not static.
+  /// @param joint Its index in the order of the file.
   double angle(int joint) const;
   double rate(int joint) const;
 

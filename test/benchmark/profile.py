@@ -15,7 +15,7 @@ import tempfile
 PROGRAM = sys.argv[1]
 COUNTS = [int(each) for each in sys.argv[2:]] or [1, 10, 50, 200, 1000]
 
-# the first that fits
+# the first pattern that matches counts
 PARTS = [
     ("LCP", r"physics::(Lcp|ReducedLcp|.*::(eliminate|substitute)[A-Z]|eliminate|substitute)"),
     ("rows", r"physics::(GroupRows|BodyCoupling|.*RowEnd|DirectSolver|GroupSolver|ContactSolver|"

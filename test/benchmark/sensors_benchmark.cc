@@ -26,7 +26,7 @@ namespace pongsim::benchmark {
 namespace {
 
 constexpr double kMostRatio = 1.5, kLeastFactor = 5, kMostShare = 0.02, kLeastFilmFactor = 1;
-// of the tutorial's lidar
+// beams of the tutorial's lidar
 constexpr int kBeams = 640;
 constexpr double kWidth = 1.396263, kFarthest = 10;
 constexpr int kBoxes = 200, kStepsAScan = 100;
@@ -48,7 +48,7 @@ std::string tutorial() {
   if (!worlds) return {};
   std::string text = textOf(*worlds / "tutorials/sensor_tutorial.sdf");
   text = replaced(text, "<update_rate>10</update_rate>", "", text.find("<topic>lidar</topic>"));
-  // its pose once it has settled
+  // replace the pose by that at rest
   text = replaced(text, "<pose relative_to='world'>0 0 1 0 0 0</pose>", "");
   return replaced(text, "ignition-gazebo-physics-system", "ignition-gazebo-user-commands-system");
 }
@@ -83,7 +83,7 @@ void castBare(::benchmark::State& state, const std::string& text) {
   Diagnostics diagnostics;
   const sdf::Root root = sdf::loadText(text, "world.sdf", diagnostics);
   const BareEmbree embree(root.worlds.front());
-  // at its pose on the chassis
+  // the lidar's position on the chassis
   const Vector3 origin(1.3, 0, 0.9);
   std::vector<Vector3> directions;
   for (int i = 0; i < kBeams; ++i) {
@@ -149,7 +149,7 @@ void film(::benchmark::State& state, const std::string& text) {
   if (run.received == 0) throw std::runtime_error("nobody speaks on /camera");
 }
 
-/// The court, with lidars and cameras on the robot, in turns.
+/// The court, with lidars and cameras in turn on the robot.
 /// @param moves If false, a step consists of the systems alone, whose cost would vanish in the variation of the
 /// physics.
 std::string court(int count, bool moves) {

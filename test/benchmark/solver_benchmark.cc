@@ -27,11 +27,11 @@ constexpr double kWheelRadius = 0.4;
 constexpr double kHalfSeparation = 0.6;
 constexpr double kGravity = 9.8;
 
-/// A world simulated with any of the solvers.
+/// A world in one of the solvers.
 struct World {
   std::function<void()> step;
   std::function<Vector3()> chassis = nullptr;
-  /// Angle and rate of a joint, by its place in the file.
+  /// Angle and rate of a joint, by its index in the file.
   std::function<std::pair<double, double>(int)> joint = nullptr;
 };
 
@@ -120,7 +120,7 @@ Deviation drive(const Method& method, const description::World& world, const std
   return {std::nan(""), std::nan("")};
 }
 
-/// Two rods of 1 m and 1 kg, level at the start.
+/// Two rods of 1 m and 1 kg, initially horizontal.
 description::World doublePendulum() {
   std::vector<description::Link> rods;
   for (int i = 0; i < 2; ++i) {

@@ -33,11 +33,11 @@ constexpr double kMostForLevels = 0.05;
 constexpr double kMostMicroseconds = 2;
 constexpr double kMostShare = 0.1;
 constexpr int kSettlingSteps = 500;
-// 2 m/s^2 up to 0.5 m/s
+// steps of acceleration: 2 m/s^2 up to 0.5 m/s
 constexpr int kRampSteps = 250;
-// in all of that [m]
+// least distance after these steps [m]
 constexpr double kLeastWay = 0.12;
-// wheels of 0.1 m, 0.4 m apart, as the commanded Twist turns them
+// the commanded Twist; wheels have a radius of 0.1 m and are 0.4 m apart
 constexpr double kLinear = 0.5, kAngular = 0.3;
 constexpr double kLeftWheel = (kLinear - kAngular * 0.2) / 0.1;
 constexpr double kRightWheel = (kLinear + kAngular * 0.2) / 0.1;
@@ -197,7 +197,7 @@ constexpr const char* kSurface =
 
 struct Floater {
   double mass;
-  /// Principal moments of inertia, and where the centre of mass is, which ballast lowers.
+  /// Principal moments of inertia, and height of the centre of mass, which ballast lowers.
   const char* inertia;
   const char* center;
   const char* shape;
@@ -238,7 +238,7 @@ std::unique_ptr<Simulation> bobbing(bool isInSea) {
   return simulation;
 }
 
-/// @param without, with The names of two benchmarks.
+/// @param without, with Names of two benchmarks.
 void printShare(const Medians& medians, const char* without, const char* with) {
   const double before = medians.of(without), after = medians.of(with);
   if (!(before > 0) || !(after > 0)) return;
@@ -246,7 +246,7 @@ void printShare(const Medians& medians, const char* without, const char* with) {
               100 * (after / before - 1), after / before - 1 > kMostShare ? "  TOO MUCH" : "");
 }
 
-/// Robots that stand there.
+/// Robots at rest.
 std::unique_ptr<Simulation> standing(int count, bool isInLevels) {
   auto simulation = load(manyRobots(count, isInLevels), true, isInLevels);
   simulation->step(kSettlingSteps);
@@ -287,7 +287,7 @@ void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
 
 int run(int argc, char** argv) {
   const std::vector<SystemCase> cases = systemCases();
-  // some write into the current folder
+  // for systems that write into the current folder
   const test::WorkingFolder folder;
   const auto add = [](const std::string& name, auto function, const std::string& text) {
     ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
@@ -295,7 +295,7 @@ int run(int argc, char** argv) {
   add("nothing", stepWorld,
       std::string("<sdf version='1.9'><world name='w'><plugin filename=\"") + kNothing + "\"/></world></sdf>");
   for (const SystemCase& each : cases) add(each.name, stepWorld, each.text);
-  // one for all repetitions, for it takes a while until they drive
+  // one simulation for all repetitions, because robots need a while to reach their speed
   std::map<std::string, std::unique_ptr<Simulation>> driven;
   const auto addDriven = [&driven](const char* name, auto make) {
     const auto step = [&driven, name, make](::benchmark::State& state) {

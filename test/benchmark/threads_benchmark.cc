@@ -24,7 +24,7 @@ namespace {
 constexpr int kRounds = 15;
 constexpr int kShapes = 3000;
 
-/// A world that is compared.
+/// A world to measure.
 struct Case {
   std::string name;
   std::string text;

@@ -1,7 +1,7 @@
-// A world that runs among others who come and go, for a long time: its memory must stay as it is, and no message may
-// get lost uncounted. Prints a line every ten seconds; exit code 1 where something is not as it should be.
+// Runs a world for a long time while other processes come and go. Its memory must not grow, and every lost message must
+// be counted. Prints a line every ten seconds. Exit code 1 if a check fails.
 //   pongsim_transport_soak MINUTES
-//   pongsim_transport_soak hear MS   its other process: hears the numbers, takes MS for each, reports when it is ended
+//   pongsim_transport_soak hear MS   subscriber process: receives numbers, pauses MS after each, reports on SIGTERM
 
 #include <ignition/msgs/clock.pb.h>
 #include <ignition/msgs/int32.pb.h>
@@ -34,18 +34,18 @@ using pongsim::test::Process;
 
 constexpr const char* kNumbers = "/soak/numbers";
 constexpr std::chrono::seconds kLinePeriod{10};
-// Long enough for a machine with much more work than processors, where this has the least priority.
+// Deadline on a machine with far more work than processors, where this process has the lowest priority.
 constexpr std::chrono::seconds kPatience{600};
-// A process that the machine does not run for six seconds counts as dead. What is published until it is found again is
-// sent to nobody and counted by nobody.
+// A process that does not run for six seconds counts as dead, because its lease ends. Messages published until it is
+// discovered again are sent to nobody, so nobody counts them.
 constexpr std::chrono::seconds kOutOfSight{4};
 constexpr std::chrono::seconds kFoundAgain{30};
-// What a process may grow by after the first fifth of the time. A leak of a byte a message would be more.
+// How much memory may grow after the first fifth of the time [bytes]; less than a leak of one byte per message.
 constexpr std::uint64_t kGrowth = 8 << 20;
 
 std::atomic<bool> stopped = false;
 
-/// Counts what is missing in a sequence of numbers, and how much of it need not have been counted by anybody.
+/// Counts the gaps in a sequence of received numbers, and those after a process did not run, which nobody counts.
 class Gaps {
  public:
   void take(std::int64_t number) {
@@ -57,12 +57,12 @@ class Gaps {
     last_ = number;
     ++heard_;
   }
-  /// Before each time that messages are taken.
+  /// Call before each dispatch.
   void look() { look(looked_); }
 
   std::int64_t heard() const { return heard_; }
   std::int64_t missed() const { return missed_; }
-  /// @return Those that were missed after a process did not run.
+  /// @return How many were missed after a process did not run.
   std::int64_t unseen() const { return unseen_; }
   bool areEvenWith(std::uint64_t dropped) const {
     const std::int64_t uncounted = missed_ - static_cast<std::int64_t>(dropped);
@@ -86,8 +86,8 @@ int hear(int pauseMs) {
   pongsim::Transport transport;
   Gaps gaps;
   pongsim::Subscription subscription;
-  // What was dropped before the first number shows no gap. It is at least what was counted before a look that found no
-  // number, and at most what is counted when the first is taken.
+  // Bounds for what was dropped before the first number, which leaves no gap: what was counted before the last dispatch
+  // without a number, and what was counted at the first number.
   std::uint64_t least = 0, most = 0;
   subscription = transport.node().subscribe<Int32>(kNumbers, [&](const Int32& message) {
     if (gaps.heard() == 0) most = subscription.dropped();
@@ -107,7 +107,7 @@ int hear(int pauseMs) {
     return all - std::clamp(all > missed ? all - missed : 0, least, most);
   };
   while (!stopped) dispatch();
-  // the next message shows a gap of those that were dropped last
+  // wait for a further message, because only that shows the last gap
   for (const auto end = Clock::now() + kPatience; Clock::now() < end;) {
     dispatch();
     if (gaps.areEvenWith(dropped())) break;
@@ -146,7 +146,7 @@ class Numbers {
   std::thread thread_;
 };
 
-/// All that happens, and what is said about it.
+/// The world, its visitors, and the checks.
 class Soak {
  public:
   explicit Soak(Clock::duration time) : time_(time), world_({PONGSIM_PROGRAM, "run", PONGSIM_WORLD}) {
@@ -173,7 +173,7 @@ class Soak {
       next += kLinePeriod;
       report(Clock::now() - start, subscription.dropped());
     }
-    // what is dropped is counted before it is missed
+    // a message is counted as dropped before its gap shows
     const auto isEven = [&] { return clock_.areEvenWith(subscription.dropped()); };
     for (const auto end = Clock::now() + kPatience; !isEven() && Clock::now() < end;) take();
     check(clock_.heard() > 0, "no step was heard");
@@ -223,7 +223,7 @@ class Soak {
     return process;
   }
 
-  /// @param trouble Made for it before it is asked what it heard.
+  /// @param trouble Disturbs the subscriber before it reports.
   void visitNumbers(int pauseMs, const std::function<void(Process&)>& trouble) {
     const auto other = come({"/proc/self/exe", "hear", std::to_string(pauseMs)}, "ready");
     trouble(*other);
@@ -237,7 +237,7 @@ class Soak {
     droppedByOthers_ += static_cast<std::uint64_t>(dropped);
   }
 
-  /// One after another: those who listen for a while, those who are slow or stopped, those who are killed.
+  /// Starts subscribers in turn: one that listens for a while, one that is slow or stopped, one that is killed.
   void visit(std::size_t number) {
     using std::chrono::milliseconds;
     const auto sleep = [](milliseconds time) { std::this_thread::sleep_for(time); };

@@ -23,7 +23,7 @@ class Engine:
         self.client = pybullet.connect(pybullet.DIRECT)
         pybullet.setPhysicsEngineParameter(fixedTimeStep=step, physicsClientId=self.client)
         pybullet.setGravity(*scene.gravity, physicsClientId=self.client)
-        #: By name: the number of the tree and that of the link in it, -1 for its base.
+        #: For each body: the number of its tree, and of its link there (-1: the base).
         self.places = {}
         tree = [joint for joint in scene.joints if not joint.closes]
         self.holder = {joint.child: joint for joint in tree}
@@ -84,7 +84,7 @@ class Engine:
             if parent is None:
                 place, rotation, number = anchor, body.rotation, 0
             else:
-                # a frame of Bullet's link lies at its joint, with the axes of the body
+                # in Bullet, the origin of a link is at its joint, with the axes of the body
                 own = self.holder.get(joint.parent)
                 origin = numpy.asarray(own.anchor if own else parent.position, float)
                 place = matrix(parent.rotation).T @ (anchor - origin)
@@ -120,7 +120,7 @@ class Engine:
 
     def finish(self, tree, root, links):
         common = {"physicsClientId": self.client}
-        # it numbers the links of a tree anew, and names them by what they were
+        # Bullet renumbers the links; their names have the numbers from before
         names = [pybullet.getJointInfo(tree, i, **common)[12].decode() for i in range(len(links))]
         links = [links[int(name.removeprefix("link")) - 1] for name in names]
         bodies = ([(root, -1)] if root else []) + [(self.scene.body(joint.child), i) for i, joint in enumerate(links)]
@@ -151,13 +151,13 @@ class Engine:
                     force=0 if joint.drive is None else 1e6,
                     **common,
                 )
-        # links of one model do not touch each other
+        # links of one model do not collide
         for i in range(-1, len(links)):
             for j in range(i + 1, len(links)):
                 pybullet.setCollisionFilterPair(tree, tree, i, j, 0, **common)
 
     def material(self, tree, place):
-        # it multiplies those of two
+        # Bullet multiplies the values of both bodies
         pybullet.changeDynamics(
             tree,
             place,

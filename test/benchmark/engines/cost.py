@@ -18,9 +18,9 @@ from engines import load
 
 STEP = 0.001
 ROUNDS = 5
-#: A slice longer than that [s] is cut, so that slow engines do not take all day.
+#: Longest slice [s]: slow engines make fewer steps.
 LONGEST = 1.0
-#: An engine that takes more processor time [s] to make a world and some steps is left out of it.
+#: An engine that needs more processor time [s] to load a world and make some steps is left out.
 PATIENCE = 30
 
 

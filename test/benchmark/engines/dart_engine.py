@@ -7,7 +7,7 @@ from scene import matrix
 
 NAME = f"DART {dart.__version__}"
 
-#: Its package for Python can't be told to take more points of contact, as Fortress tells DART.
+#: Limit of contact points. Fortress raises it, but DART's Python package has no way to.
 MOST_CONTACTS = 1000
 
 
@@ -26,7 +26,7 @@ class Engine:
         self.world = dart.simulation.World()
         self.world.setTimeStep(step)
         self.world.setGravity(list(scene.gravity))
-        # what is slow is not to fall asleep: Fortress's DART does not know that
+        # without sleeping bodies, which Fortress's DART lacks
         rest = self.world.getDeactivationOptions()
         rest.mEnabled = False
         self.world.setDeactivationOptions(rest)
@@ -68,7 +68,7 @@ class Engine:
             made.setPositions(
                 dart.dynamics.FreeJoint.convertToPositions(dart.math.Isometry3(placed(body.position, turned)))
             )
-            # of a free joint they are those of the body, in its own axes
+            # the velocities of a free joint are those of the body, in its own axes
             spatial = numpy.concatenate(
                 [turned.T @ numpy.asarray(body.turning, float), turned.T @ numpy.asarray(body.velocity, float)]
             )
@@ -77,7 +77,7 @@ class Engine:
         holds = self.scene.body(joint.parent) if joint.parent else None
         place = numpy.asarray(joint.anchor, float)
         frame = placed(holds.position, matrix(holds.rotation)) if holds else numpy.eye(4)
-        # the joint's frame has the world's axes at the start
+        # initially, the joint's frame is parallel to the world's
         made.setTransformFromParentBodyNode(dart.math.Isometry3(numpy.linalg.inv(frame) @ placed(place)))
         made.setTransformFromChildBodyNode(
             dart.math.Isometry3(numpy.linalg.inv(placed(body.position, turned)) @ placed(place))

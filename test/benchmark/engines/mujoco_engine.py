@@ -7,10 +7,10 @@ from scene import inverse, matrix, product
 
 NAME = f"MuJoCo {mujoco.__version__}"
 
-# It would write them into a file of the folder where it runs; what goes astray shows in the error.
+# By default, warnings are written to a file in the current folder. They are not needed: divergence shows in the error.
 mujoco.set_mju_user_warning(lambda text: None)
 
-#: Of a spring in place of restitution, which MuJoCo does not have [1/s^2 by unit of depth].
+#: Contact as an undamped spring, because MuJoCo has no restitution; stiffness per mass [1/s^2].
 BOUNCE = 'solref="-100000 0"'
 
 

@@ -31,7 +31,7 @@ def decades(values):
 
 def panel(title, unit, points, left, top):
     x_low, x_high = decades([cost for _, _, cost, _ in points])
-    # an error below that is rounding
+    # errors below are rounding errors
     floor = 1e-9
     y_low, y_high = decades([max(error, floor) for *_, error in points])
     x_high, y_high = max(x_high, x_low + 1), max(y_high, y_low + 1)

@@ -76,7 +76,7 @@ def domino_times(count, height, width, pitch, mass, angle):
         total = train(q, hit)
         kept = total[0] * speed**2 / 2 + total[1]
         pieces = 400
-        # the first one starts from rest: places as the square of the number keep the quadrature finite
+        # the motion starts from rest, where the integrand is singular: quadratically spaced points keep the sum finite
         places = [q + (limit - q) * (i / pieces) ** 2 for i in range(pieces + 1)]
         for a, b in zip(places, places[1:]):
             moment, energy = train((a + b) / 2, hit)
@@ -127,7 +127,7 @@ def wheelie_way(seconds, speed, coupled=True):
         normal = numpy.linalg.solve(without, right)[2]
         return numpy.linalg.solve(rows[:2, :2], right[:2] - rows[:2, 2] * normal)
 
-    # the wheels come to their speed at once
+    # the wheels reach their speed at once
     moment, across, up = sums(0.0)
     velocity, turning = solve(moment, across, up, numpy.array([0.0, wheel_inertia * speed / radius, 0.0]))
     way, angle, step = 0.0, 0.0, 1e-5

@@ -44,10 +44,10 @@ class Body:
     moments: tuple
     position: tuple = (0, 0, 0)
     rotation: tuple = (1, 0, 0, 0)
-    #: At the start; of what joints hold, as these let it: reduced coordinates take those of roots alone.
+    #: Initial velocity. Must be consistent with the joints: engines in reduced coordinates use only that of roots.
     velocity: tuple = (0, 0, 0)
     turning: tuple = (0, 0, 0)
-    #: Bodies of one model do not touch each other; a body alone is a model of its name.
+    #: Bodies of one model do not collide. Empty: the body is a model of its own.
     model: str = ""
 
 
@@ -62,7 +62,7 @@ class Joint:
     child: str
     anchor: tuple
     axis: tuple = (0, 1, 0)
-    #: Velocity at which a motor holds it.
+    #: Velocity that a motor holds.
     drive: float | None = None
     closes: bool = False
 
@@ -72,12 +72,12 @@ class Scene:
     bodies: list
     joints: list = dataclasses.field(default_factory=list)
     gravity: tuple = (0, 0, -9.8)
-    #: Of all bodies and of the ground, so that it does not matter how an engine combines two.
+    #: The same for all bodies and the ground, so that it does not matter how an engine combines two values.
     friction: float = 1.0
     restitution: float = 0.0
     #: Whether there is ground at z = 0.
     ground: bool = True
-    #: For pongsim: systems of the world, those of models by name, as text of SDF, and what is published at the start.
+    #: For pongsim, as SDF: systems of the world, systems of models by name; and the messages published at the start.
     systems: str = ""
     model_systems: dict = dataclasses.field(default_factory=dict)
     message: tuple | None = None

@@ -12,7 +12,7 @@ import pongsim_engine
 import references
 import truth
 
-#: Parts, or metres.
+#: Largest errors: relative, or in metres.
 PROMISED = {
     "ellipsoid": 1e-3,
     "wheel": 0.02,
@@ -30,7 +30,7 @@ def test_holds_what_is_promised(case):
 
 
 def test_stays_on_a_slope():
-    # a minute of the ten that tools/bench truth takes
+    # one minute; tools/bench truth takes ten
     assert truth.anchor(pongsim_engine.Engine, 60) < 1e-5
 
 

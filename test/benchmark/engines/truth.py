@@ -29,7 +29,7 @@ def start(engine):
     before = made.body("chassis0")[0][0]
     made.step(30)
     chassis, rotation, _, _ = made.body("chassis0")
-    # the axle's way, without what the chassis turns back
+    # the distance of the axle: the wheel's angle includes the pitch of the chassis
     pitch = math.asin(2 * (rotation[0] * rotation[2] - rotation[3] * rotation[1]))
     way = chassis[0] - 0.5 * math.cos(pitch) - (before - 0.5)
     return way / references.wheelie_way(0.030, 0.5) - 1
@@ -195,7 +195,7 @@ def anchor(engine, seconds=600):
     return way if way < 1e3 else "slides off"
 
 
-#: What is measured, how, and whether it is a part or a length.
+#: Name, function, and whether the error is relative or a length.
 CASES = {
     "start": ("robot that rears up as it starts, way in 30 ms, beside the formula", start, "part"),
     "ellipsoid": ("ellipsoid that rolls to and fro, period, beside the quadrature", ellipsoid, "part"),

@@ -198,7 +198,7 @@ def humanoid():
     """A tree of 18 bodies and 17 hinges as those of a humanoid, tumbling without gravity."""
     bodies, joints = [], []
 
-    # it begins as one rigid body that turns about its pelvis
+    # initially, all links move like one rigid body that turns about the pelvis
     spin, middle = (0.5, 2.0, 1.0), (0, 0, 1.0)
 
     def add(name, size, mass, place, parent=None, anchor=None, axis=(0, 1, 0)):

@@ -13,7 +13,7 @@
 
 namespace pongsim::benchmark {
 
-/// A kind of message, its rate [Hz], and how many are sent.
+/// A kind of message, its rate [Hz], and the number of messages sent.
 struct Kind {
   const char* name;
   double rate;
@@ -46,7 +46,7 @@ inline ignition::msgs::PointCloudPacked cloud() {
   return message;
 }
 
-/// Calls `use` with an empty message of the kind, ready to be sent.
+/// Calls `use` with a message of this kind, ready to be sent.
 template <class Use>
 void withMessage(int kind, Use use) {
   switch (kind) {

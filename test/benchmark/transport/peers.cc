@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::chrono::seconds kSilence{2};
 
-/// Notes messages until `count` have come or no more come.
+/// Records the ages of messages until `count` have arrived or no more arrive.
 class Listener {
  public:
   Listener(std::size_t count, std::chrono::milliseconds pause) : count_(count), pause_(pause) {}

@@ -1,9 +1,9 @@
-// How long messages take from process to process, how many arrive, and what it costs who publishes, also beside
-// subscribers that are stopped, slow or killed. Beside ign-transport 11, where Debian's library is installed.
-//   pongsim_transport_bench                                the whole of it
-//   pongsim_transport_bench listen LIBRARY KIND COUNT MS   its other process: hears so many, takes MS for each
-//   pongsim_transport_bench flood                          publishes as fast as it can
-//   pongsim_transport_bench kill                           starts listeners and kills them
+// Measures the latency of messages between processes, how many arrive, and the cost of publishing, also with
+// subscribers that are stopped, slow or killed. Compared with ign-transport 11, if Debian's library is installed.
+//   pongsim_transport_bench                                all measurements
+//   pongsim_transport_bench listen LIBRARY KIND COUNT MS   subscriber process: receives COUNT messages, pauses MS after
+//   each pongsim_transport_bench flood                          publishes as fast as it can pongsim_transport_bench
+//   kill                           starts listeners and kills them
 
 #include <sys/resource.h>
 
@@ -33,7 +33,7 @@ namespace {
 using namespace pongsim::benchmark;
 using pongsim::test::Process;
 
-/// One publishes, several listen.
+/// Measures one publisher with several subscribers.
 void measureMany(int kind, int listeners) {
   const Kind& what = kKinds[kind];
   std::printf("%s at %.0f Hz to %d processes\n", what.name, what.rate, listeners);
@@ -42,7 +42,7 @@ void measureMany(int kind, int listeners) {
     for (int i = 0; i < listeners; ++i) others.push_back(listener("pongsim", kind, what.count));
     pongsim::Transport transport;
     auto publisher = transport.node().advertise<M>(kTopic);
-    // all of them are there for the first message
+    // wait until all subscribers are discovered
     while (transport.watchTopic(kTopic, std::chrono::milliseconds(200)).subscribers.size() < others.size()) continue;
     const std::string publishing = summary(publishAt(what.rate, what.count, [&] {
                                              stamp(message);
@@ -54,7 +54,7 @@ void measureMany(int kind, int listeners) {
   std::fflush(stdout);
 }
 
-/// @return The processors' time of this process and of those that it has waited for.
+/// @return Processor time of this process and of its children that have ended.
 Microseconds processorTime() {
   Microseconds sum{0};
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -67,7 +67,8 @@ Microseconds processorTime() {
   return sum;
 }
 
-/// One way of pongsim's own: how old messages are, what publishing takes, and both processes' time for each.
+/// Measures pongsim's transport from one process to another: latency, duration of publishing, and processor time of
+/// both processes per message.
 void measureOwn(int kind, const char* name) {
   const Kind& what = kKinds[kind];
   withMessage(kind, [&]<class M>(M message) {
@@ -103,7 +104,7 @@ void measureDelivery(int kind) {
     ignition::transport::Node node;
     auto publisher = node.Advertise<M>(kTopic);
     while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    // it says so before the first message would arrive
+    // ign-transport reports the connection before messages can arrive
     std::this_thread::sleep_for(std::chrono::seconds(1));
     publishAt(what.rate, what.count, [&] {
       stamp(message);
@@ -129,7 +130,7 @@ int main(int count, char** texts) {
     std::fprintf(stderr, "pongsim_transport_bench: error: takes no options\n");
     return 2;
   }
-  // for this process and those that it starts
+  // sets the domain of this process and of those that it starts
   pongsim::test::testDomain();
   setenv("IGN_IP", "127.0.0.1", 1);
   for (int kind = 0; kind < static_cast<int>(std::size(kKinds)); ++kind) measureDelivery(kind);

@@ -29,39 +29,39 @@ void printCalls(const char* name, const Calls& calls) {
   std::printf("  %-27s %s, %d waited, %d pushed away\n", name, summary(calls.took).c_str(), calls.waits, calls.pushes);
 }
 
-/// What a write takes, when nothing is in its way.
+/// Takes about as long as a write without disturbance.
 void doNothing() {
   const auto end = Clock::now() + std::chrono::microseconds(10);
   while (Clock::now() < end) continue;
 }
 
-/// Other processes, which may behave badly.
-struct Company {
+/// Other processes that disturb the publisher.
+struct Disturbance {
   std::vector<std::unique_ptr<Process>> processes;
-  /// Called from a thread of its own, again and again.
+  /// Called repeatedly on a thread of its own.
   std::function<void()> trouble;
 };
 
-/// What was found in four seconds beside others.
+/// Measurements of four seconds.
 struct Window {
   Calls writes;
-  /// Between two writes the same thread did nothing for as long: what held that up was the machine.
+  /// Calls of `doNothing` between the writes: their delays are due to the machine.
   Calls nothing;
   std::uint64_t came = 0;
   std::uint64_t dropped = 0;
 };
 
 /// Publishes a Twist at 1 kHz.
-Window measureBeside(Company company) {
+Window measureBeside(Disturbance disturbance) {
   Window window;
   pongsim::Transport transport;
   const auto subscription =
       transport.node().subscribe<ignition::msgs::Int32>(kFloodTopic, [](const ignition::msgs::Int32&) {});
   auto publisher = transport.node().advertise<ignition::msgs::Twist>(kTopic);
-  if (!company.processes.empty()) publisher.waitForSubscribers(std::chrono::seconds(2));
+  if (!disturbance.processes.empty()) publisher.waitForSubscribers(std::chrono::seconds(2));
   std::atomic<bool> isOver = false;
   std::thread troubled([&] {
-    while (!isOver && company.trouble) company.trouble();
+    while (!isOver && disturbance.trouble) disturbance.trouble();
   });
   ignition::msgs::Twist message;
   window.writes = publishAt(
@@ -78,7 +78,7 @@ Window measureBeside(Company company) {
   troubled.join();
   window.came = subscription.received();
   window.dropped = subscription.dropped();
-  for (auto& each : company.processes) {
+  for (auto& each : disturbance.processes) {
     each->kill(SIGTERM);
     each->kill(SIGCONT);
     each->wait();
@@ -86,8 +86,8 @@ Window measureBeside(Company company) {
   return window;
 }
 
-/// Tells of the window in which the machine was quietest, whatever the writes took in it.
-void measureTrouble(const char* name, const std::function<Company()>& meet) {
+/// Measures several windows, and prints the one in which `doNothing` was delayed least.
+void measureTrouble(const char* name, const std::function<Disturbance()>& meet) {
   constexpr int kMostWindows = 6;
   constexpr double kQuiet = 40;
   Window quietest;
@@ -111,38 +111,38 @@ void measureTrouble(const char* name, const std::function<Company()>& meet) {
   std::fflush(stdout);
 }
 
-Company oneListener(int pause = 0) {
-  Company company;
-  company.processes.push_back(listener("pongsim", 0, 1'000'000, pause));
-  return company;
+Disturbance oneListener(int pause = 0) {
+  Disturbance disturbance;
+  disturbance.processes.push_back(listener("pongsim", 0, 1'000'000, pause));
+  return disturbance;
 }
 
-Company stoppedListener() {
-  Company company = oneListener();
-  company.trouble = [pid = company.processes.front()->pid()] {
+Disturbance stoppedListener() {
+  Disturbance disturbance = oneListener();
+  disturbance.trouble = [pid = disturbance.processes.front()->pid()] {
     kill(pid, SIGSTOP);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   };
-  return company;
+  return disturbance;
 }
 
-Company killedListeners() {
-  Company company;
-  company.processes.push_back(other("kill"));
-  return company;
+Disturbance killedListeners() {
+  Disturbance disturbance;
+  disturbance.processes.push_back(other("kill"));
+  return disturbance;
 }
 
-Company flooder() {
-  Company company = oneListener();
-  company.processes.push_back(other("flood"));
-  return company;
+Disturbance flooder() {
+  Disturbance disturbance = oneListener();
+  disturbance.processes.push_back(other("flood"));
+  return disturbance;
 }
 
 }  // namespace
 
 void measureTroubles() {
   std::printf("publishing a Twist at 1 kHz, each of 4,000 times\n");
-  measureTrouble("nobody listens", [] { return Company(); });
+  measureTrouble("nobody listens", [] { return Disturbance(); });
   measureTrouble("one listens", [] { return oneListener(); });
   measureTrouble("one takes 20 ms a message", [] { return oneListener(20); });
   measureTrouble("one is stopped", stoppedListener);

@@ -2,8 +2,8 @@
 
 namespace pongsim::benchmark {
 
-/// Measures what publishing takes beside subscribers that are slow, stopped or killed, and beside a flood, and prints
-/// it.
+/// Measures the duration of publishing with subscribers that are slow, stopped or killed, and with a flood of other
+/// messages. Prints the results.
 void measureTroubles();
 
 }  // namespace pongsim::benchmark
