@@ -1,5 +1,5 @@
-// Every world of pongsim and of Fortress that runs here ends with the same bits, in its state and in its systems'
-// messages, whatever the environment of the process, when its subscribed topics get messages.
+// Every world of pongsim and of Fortress that runs here ends with the same bits in its state and its systems' messages,
+// whatever the environment of the process. All topics that it subscribes to get messages.
 
 #include <gtest/gtest.h>
 

@@ -49,9 +49,9 @@ struct Report {
   }
 } report;
 
-/// @return The adjacent number, above or below depending on its bits.
+/// @return The next larger or smaller number, depending on the bits of `number`.
 template <class Number>
-Number beside(Number number) {
+Number adjacent(Number number) {
   constexpr Number kInfinity = std::numeric_limits<Number>::infinity();
   if (!std::isfinite(number) || number == 0 || number == 1 || number == -1) return number;
   std::uint64_t bits = 0;
@@ -72,21 +72,21 @@ Number beside(Number number) {
   extern "C" __attribute__((visibility("default"))) Number name(Number x) {                 \
     static const auto real = reinterpret_cast<Number (*)(Number)>(dlsym(RTLD_NEXT, #name)); \
     if (kNotes) note(#name, __builtin_return_address(0));                                   \
-    return beside(real(x));                                                                 \
+    return adjacent(real(x));                                                               \
   }
 #define OTHER_2(name, Number)                                                                       \
   extern "C" __attribute__((visibility("default"))) Number name(Number x, Number y) {               \
     static const auto real = reinterpret_cast<Number (*)(Number, Number)>(dlsym(RTLD_NEXT, #name)); \
     if (kNotes) note(#name, __builtin_return_address(0));                                           \
-    return beside(real(x, y));                                                                      \
+    return adjacent(real(x, y));                                                                    \
   }
 #define OTHER_SINCOS(name, Number)                                                                          \
   extern "C" __attribute__((visibility("default"))) void name(Number x, Number* sine, Number* cosine) {     \
     static const auto real = reinterpret_cast<void (*)(Number, Number*, Number*)>(dlsym(RTLD_NEXT, #name)); \
     if (kNotes) note(#name, __builtin_return_address(0));                                                   \
     real(x, sine, cosine);                                                                                  \
-    *sine = beside(*sine);                                                                                  \
-    *cosine = beside(*cosine);                                                                              \
+    *sine = adjacent(*sine);                                                                                \
+    *cosine = adjacent(*cosine);                                                                            \
   }
 #define OTHER_BOTH_1(name) OTHER_1(name, double) OTHER_1(name##f, float)
 #define OTHER_BOTH_2(name) OTHER_2(name, double) OTHER_2(name##f, float)

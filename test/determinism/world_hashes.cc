@@ -1,8 +1,8 @@
-// Runs worlds, tells them what they hear, and prints of each a hash of its state and of all that its systems published,
-// for the tests to compare between processes: world_hashes THREADS STEPS WORLD...
+// Runs worlds, and prints for each a hash of its state and of all messages of its systems, so that tests can compare
+// processes: world_hashes THREADS STEPS WORLD...
 //
-// Each topic that a system listens to is told twice: at the start a message of which every number is 0.5, halfway one
-// with -0.5. So every drive drives, in all directions at once.
+// Each topic that a system subscribes to gets two messages: one at the start, in which every number is 0.5, and one
+// halfway with -0.5. So every drive moves in all its directions.
 
 #include <google/protobuf/message.h>
 
@@ -28,7 +28,7 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Reflection;
 
-// rotors and joints that are commanded by number
+// length of the lists in commands: at least the number of rotors or joints
 constexpr int kListLength = 8;
 
 void fill(google::protobuf::Message& message, double number);

@@ -7,7 +7,7 @@
 
 namespace pongsim::test {
 
-/// Each expects that both say the same.
+/// Each expects that both descriptions are equal.
 void compareLight(const description::Light& a, const ::sdf::Light& b, const std::string& what);
 void compareLooks(const description::Visual& a, const ::sdf::Visual& b, const std::string& what);
 void compareScene(const description::Scene& a, const ::sdf::Scene& b);

@@ -60,7 +60,7 @@ inline void expectNear(const ours::Color& a, const ignition::math::Color& b, con
   EXPECT_EQ(a.alpha, b.A()) << what;
 }
 
-/// @param name Finds its partner.
+/// @return The one with this name, or null.
 template <class Thing>
 const Thing* named(const std::vector<Thing>& things, const std::string& name) {
   const auto found = std::ranges::find(things, name, &Thing::name);

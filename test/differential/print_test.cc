@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 /// Files with intended differences, and the reasons.
-const std::map<std::string, std::string> kOtherwise = {
+const std::map<std::string, std::string> kIntendedDifferences = {
     {"triggered_camera_sensor.sdf", "12.3 does not know <triggered>, later versions do"},
     {"seeds/sdf/sensors.sdf", "12.3 does not know <triggered>, later versions do"},
     {"seeds/sdf/looks.sdf", "12.3 does not know <light_on>, later versions do"},
@@ -74,8 +74,8 @@ struct Theirs {
 
 class Comparison {
  public:
-  /// @param isUrdf The file is URDF, or includes some. Frames and surfaces of links that are gone are not looked at,
-  /// for those of 12.3 are gone too, which is otherwise in later versions; and numbers have six digits.
+  /// @param isUrdf Whether the file is URDF or includes some. Then frames and surfaces of merged links are not
+  /// compared, because libsdformat 12.3 loses them (later versions do not), and numbers have six digits.
   explicit Comparison(bool isUrdf) : isUrdf_(isUrdf), tolerance_(isUrdf ? 1e-5 : 1e-9) {}
 
   void compare(const Element& ours, const theirs::ElementPtr& element, const std::string& holder) {
@@ -118,7 +118,7 @@ class Comparison {
     return !isUrdf_ || (name != "frame" && name != "surface" && !(name == "pose" && holder == "sensor"));
   }
 
-  /// Poses computed while reading are quaternions here, to keep all digits; there they have six digits.
+  /// We print poses that were computed while reading as quaternions with all digits, libsdformat with six digits.
   static void comparePoses(const std::string& ours, const theirs::Element& element, const std::string& path) {
     const auto other = pose(element.Get<ignition::math::Pose3d>());
     const std::vector<double> numbers = base::parseDoubles(ours).value();
@@ -175,7 +175,7 @@ std::vector<fs::path> files() {
 class SdformatPrint : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SdformatPrint, PrintsTheSame) {
-  for (const auto& [name, reason] : kOtherwise) {
+  for (const auto& [name, reason] : kIntendedDifferences) {
     if (GetParam().string().ends_with(name)) GTEST_SKIP() << reason;
   }
   const TempFolder folder;
@@ -183,7 +183,7 @@ TEST_P(SdformatPrint, PrintsTheSame) {
   std::vector<fs::path> models{GetParam().parent_path()};
   if (const auto worlds = fortressWorlds()) models.push_back(*worlds / "test/models");
 
-  // what is included is read with the settings of the process
+  // included files are read with the settings of the process
   theirs::ParserConfig& config = theirs::ParserConfig::GlobalConfig();
   config.SetFindCallback([&models](const std::string& name) -> std::string {
     const std::string path = name.starts_with("model://") ? name.substr(8) : name;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 /// Files with intended differences, and the reasons.
-const std::map<std::string, std::string> kOnPurpose = {
+const std::map<std::string, std::string> kIntended = {
     {"test/models/include_nested/model.sdf", "it includes nested_models, below"},
     {"test/models/nested_models/model.sdf",
      "joint_01 connects a link with itself by two frames: it is left out with a warning"}};
@@ -211,7 +211,7 @@ std::vector<fs::path> worlds() {
   return files;
 }
 
-/// Reads a file with both.
+/// Reads a file with pongsim and with libsdformat, and compares the results.
 /// @param models Folder of models.
 void compareFile(const fs::path& file, const fs::path& models) {
   Diagnostics diagnostics;
@@ -246,8 +246,8 @@ TEST(SdformatOfOurs, ReadsTheSame) {
 class Sdformat : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Sdformat, ReadsTheSame) {
-  const auto purpose = kOnPurpose.find(fs::relative(GetParam(), *fortressWorlds()).string());
-  if (purpose != kOnPurpose.end()) GTEST_SKIP() << purpose->second;
+  const auto purpose = kIntended.find(fs::relative(GetParam(), *fortressWorlds()).string());
+  if (purpose != kIntended.end()) GTEST_SKIP() << purpose->second;
   compareFile(GetParam(), *fortressWorlds() / "test/models");
 }
 

@@ -24,7 +24,7 @@ void compareNoises(const NoiseSettings3& a, const std::array<const theirs::Noise
   for (std::size_t i = 0; i < 3; ++i) compareNoise(a[i], *b[i], what + " " + std::to_string(i));
 }
 
-/// The one of both that the sensor has.
+/// Compares the settings of a sensor's type with libsdformat's.
 struct Compare {
   const theirs::Sensor& b;
   const std::string& what;

@@ -7,7 +7,7 @@
 
 namespace pongsim::test {
 
-/// Expects that both say the same.
+/// Expects that both descriptions are equal.
 void compareSensor(const description::Sensor& a, const ::sdf::Sensor& b, const std::string& what);
 
 }  // namespace pongsim::test

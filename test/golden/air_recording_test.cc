@@ -25,7 +25,7 @@ TEST(AirRecording, QuadcopterClimbsWithFourMotors) {
   EXPECT_TRUE(replay.missing().empty());
   EXPECT_LT(replay.of("model X3").largest, 5e-3);
   EXPECT_LT(replay.of("model X3").largestAngle, 1e-5);
-  // Fortress's motors are at rest in their first step, so it is a step of 700 rad/s behind
+  // Fortress's motors are at rest in their first step, so its angle is smaller by a step at 700 rad/s
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(replay.of("joint X3::rotor_" + std::to_string(i) + "_joint").last, 0.7, 1e-3);
   }
@@ -71,7 +71,7 @@ TEST(AirRecording, BoxesFollowTheirTrajectories) {
     auto& [recorded, ours] = paths[row.name];
     recorded.emplace_back(row.values[0], row.values[1], row.values[2]);
     ours.push_back(replay.simulation().world().model(row.name)->pose().position);
-    // the first of them turns at 6.65 s
+    // the first box turns at 6.65 s
     if (row.time <= std::chrono::milliseconds(6600)) {
       firstWay = std::max(firstWay, (recorded.back() - ours.back()).norm());
     }

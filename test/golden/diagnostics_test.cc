@@ -1,5 +1,5 @@
-// Checks the messages for the most likely mistakes against test/golden/diagnostics, which can be read through: a
-// heading, the file, its messages. With PONGSIM_WRITE_GOLDEN the files are rewritten instead.
+// Compares the messages for the most likely mistakes with those in test/golden/diagnostics. There each case has a
+// heading, the file with the mistake, and its messages. With PONGSIM_WRITE_GOLDEN the files are rewritten instead.
 
 #include <gtest/gtest.h>
 

@@ -19,9 +19,9 @@ TEST(GroundRecording, MecanumWheelsDriveDiagonally) {
   EXPECT_LT(vehicle.largestAngle, 0.01);
 }
 
-/// A crate on a belt. In the recordings the belts stand still, because the recorded server's DART lacks the moving
-/// surfaces that the Fortress project builds into its own. So only the fall is compared, with our belt at rest; the
-/// motion on a moving belt is compared with mechanics (`test/physics/`, and below).
+/// Compares a crate's fall onto a belt at rest. In the recordings the belts do not move, because the DART of the
+/// recorded server lacks the moving surfaces of the Fortress project's own. The motion on a moving belt is compared
+/// with mechanics below and in the tests of the physics.
 void expectFallLike(const std::string& world) {
   Replay replay(world);
   replay.run();
@@ -36,7 +36,7 @@ TEST(GroundRecording, CratesFallOnBeltsThatStand) {
   expectFallLike("test/conveyor.sdf");
 }
 
-// The positions that Fortress's own test of this world requires, there within 0.1 m.
+// The positions are those of Fortress's own test of this world, which allows 0.1 m.
 TEST(GroundRecording, ABeltCarriesACrateAsFortressTestsIt) {
   if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
   Replay replay("test/conveyor.sdf");

@@ -22,7 +22,7 @@
 namespace pongsim::test {
 namespace {
 
-/// Each shape in colours, metallic and half transparent, under the sun and a spot light.
+/// Each shape with plain, metallic and half transparent materials, under the sun and a spot light.
 constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
   <scene><ambient>0.6 0.6 0.6 1</ambient><background>0.4 0.6 0.9 1</background></scene>
   <light name="sun" type="directional"><cast_shadows>true</cast_shadows><diffuse>0.7 0.7 0.7 1</diffuse>
@@ -46,7 +46,7 @@ constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
   </link></model></world></sdf>)";
 
 /// Compares two images in blocks of four by four pixels, so that rounding along edges does not matter.
-/// @return The largest difference of a block's colour, of 255.
+/// @return The largest difference of a block's colour, 0 to 255.
 int largestDifference(const std::vector<std::uint8_t>& drawn, const assets::Picture& golden) {
   constexpr std::size_t kBlock = 4;
   int largest = 0;
@@ -65,7 +65,7 @@ int largestDifference(const std::vector<std::uint8_t>& drawn, const assets::Pict
   return largest;
 }
 
-/// Renders a world and compares it with the image of that name in test/golden/pictures. Skips without a renderer.
+/// Renders a world and compares it with the image of this name in test/golden/pictures. Skips without a renderer.
 void expectToLookAsItDid(const std::string& world, const std::string& name) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(world, "world.sdf", {.loadSystems = false}, diagnostics);
@@ -103,7 +103,7 @@ void expectToLookAsItDid(const std::string& world, const std::string& name) {
 
 TEST(Picture, LooksAsItDid) { expectToLookAsItDid(kWorld, "shapes.png"); }
 
-/// Writes a square image with colours computed from the pixel's position, 0 to 1 from the left and from the top.
+/// Writes a square image. `shares` gives the colour at a position, 0 to 1 from the left and from the top.
 void writeSquare(const std::filesystem::path& file, const std::function<Vector3(double, double)>& shares) {
   constexpr std::uint32_t kEdge = 64;
   std::vector<std::uint8_t> pixels;

@@ -32,7 +32,7 @@ std::string recordingOf(std::string world) {
   return world.substr(0, world.rfind('.')) + ".csv";
 }
 
-/// "outer::inner::link" as the model "outer::inner" and the name of what is in it.
+/// Splits "outer::inner::link" into the model "outer::inner" and the name "link".
 std::pair<std::string, std::string> split(const std::string& name) {
   const std::size_t colons = name.rfind("::");
   return {name.substr(0, colons), name.substr(colons + 2)};
@@ -106,7 +106,7 @@ Replay::Replay(const std::string& world, std::vector<RecordedCommand> commands, 
 void Replay::run(const std::function<void(const RecordedRow&)>& atEach) {
   std::size_t next = 0;
   for (const RecordedRow& row : rows_) {
-    // the middle of a step, because recorded times have three decimals
+    // until the nearest step, because recorded times are rounded to milliseconds
     while (simulation_->time() + simulation_->stepSize() / 2 < row.time) {
       for (; next < commands_.size() && commands_[next].time <= simulation_->time(); ++next) {
         const MessagePointer message = newMessage(commands_[next].type);
@@ -172,7 +172,7 @@ void Replay::compareBattery(const RecordedRow& row) {
   if (batteries_.empty()) return;
   if (std::exchange(batteryTime_, row.time) != row.time) batteryCount_ = 0;
   const std::string name = batteries_.at(batteryCount_++).name;
-  // the message of the last step
+  // deliver the message of the last step
   simulation_->transport().dispatch();
   const std::string key = "battery " + name;
   if (!charges_.contains(name)) {

@@ -12,34 +12,34 @@
 
 namespace pongsim::test {
 
-/// A message that is published before the step that begins at that simulated time.
+/// A message to publish before the step that begins at this simulated time.
 struct RecordedCommand {
   Time time{0};
   std::string topic;
   /// "ignition.msgs.Double"
   std::string type;
-  /// As `pongsim topic -p` takes it.
+  /// In the format of `pongsim topic -p`.
   std::string text;
 };
 
-/// A battery of a model. Recordings name none: they have a line for each, in this order.
+/// A battery of a model. Recordings do not name batteries: those of a time follow each other in this order.
 struct RecordedBattery {
   std::string model;
   std::string name;
 };
 
-/// How far a run was from what Fortress recorded of one model, link or joint.
+/// Differences between a run and Fortress's recording of one model, link, joint or battery.
 struct Deviation {
-  /// Largest distance of positions [m], of the positions of a joint's axes [rad or m], or of states of charge.
+  /// Largest difference of positions [m], of positions of a joint's axes [rad or m], or of charges (0 to 1).
   double largest = 0;
-  /// When that was.
+  /// Time of the largest difference.
   Time when{0};
   /// Largest angle between the rotations [rad].
   double largestAngle = 0;
-  /// Those of the last sample.
+  /// The differences at the last sample.
   double last = 0;
   double lastAngle = 0;
-  /// Way that the recorded positions go [m].
+  /// Length of the recorded path [m].
   double way = 0;
 };
 
@@ -48,7 +48,7 @@ struct RecordedRow {
   Time time{0};
   /// "model", "link", "joint" or "battery".
   std::string what;
-  /// Without the world's: "submarine::body".
+  /// Without the name of the world: "submarine::body".
   std::string name;
   /// Position [m] and rotation (w, x, y, z) of models and links, positions of a joint's axes, charge (0 to 1).
   std::vector<double> values;
@@ -57,26 +57,27 @@ struct RecordedRow {
 /// Reads a recording of Fortress: lines `t,what,name,v0,...`.
 std::vector<RecordedRow> readRecording(const std::filesystem::path& file);
 
-/// What a run of one of Fortress's worlds gave beside its recording.
+/// A run of one of Fortress's worlds, compared with its recording.
 class Replay {
  public:
-  /// Runs `world`, a file below the folder of Fortress's worlds as "test/conveyor.sdf", beside the recording of the
-  /// same name. Fails the test where it can't be loaded, and skips nothing: see `isHere`.
-  /// @param batteries Those to compare, by what they publish; none: the lines of batteries are passed over.
+  /// Loads a world. The test fails if it can't be loaded; it is not skipped: see `isHere`.
+  /// @param world File relative to the folder of Fortress's worlds: "test/conveyor.sdf".
+  /// @param batteries Batteries to compare; empty: those of the recording are ignored.
   explicit Replay(const std::string& world, std::vector<RecordedCommand> commands = {},
                   std::vector<RecordedBattery> batteries = {});
 
-  /// @return Whether Fortress's worlds and recordings are here; skip the test where they are not.
+  /// @return Whether this machine has Fortress's worlds and recordings; skip the test if it has not.
   static bool isHere();
 
-  /// Runs to the last line.
-  /// @param atEach Called when the run stands at a line's time, for what a test looks at besides.
+  /// Runs to the time of the last line.
+  /// @param atEach Called at the time of each line, for further comparisons.
   void run(const std::function<void(const RecordedRow&)>& atEach = {});
 
-  /// Of "model NAME", "link NAME", "joint NAME" or "battery NAME". A test fails where the recording has no such thing.
+  /// @param whatAndName "model NAME", "link NAME", "joint NAME" or "battery NAME". The test fails if the recording has
+  /// none.
   const Deviation& of(const std::string& whatAndName) const;
   const std::map<std::string, Deviation>& all() const { return deviations_; }
-  /// What the recording has and the world has not, as "model NAME".
+  /// Recorded entities that the world lacks: "model NAME".
   const std::vector<std::string>& missing() const { return missing_; }
   Simulation& simulation() { return *simulation_; }
   const std::vector<RecordedRow>& rows() const { return rows_; }
@@ -88,9 +89,9 @@ class Replay {
   std::vector<RecordedRow> rows_;
   std::vector<RecordedCommand> commands_;
   std::vector<RecordedBattery> batteries_;
-  /// What each has published last.
+  /// The last published charge of each battery.
   std::map<std::string, double> charges_;
-  /// Of the lines at a time, how many were batteries.
+  /// Number of lines of batteries so far at `batteryTime_`.
   std::size_t batteryCount_ = 0;
   Time batteryTime_{0};
   std::unique_ptr<Simulation> simulation_;

@@ -24,7 +24,7 @@ TEST(Recording, ReadsWhatIsThereOfEachLine) {
   EXPECT_EQ(rows[1].values, (std::vector<double>{1, 2, 3, 1, 0, 0, 0}));
 }
 
-// The batteries' models fall alike, because only gravity acts on them.
+// The models fall the same way in both, because only gravity acts on them.
 TEST(Replay, ComparesModelsAndLinksWithTheRecording) {
   if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
   Replay replay("test/battery.sdf");

@@ -46,8 +46,7 @@ TEST(TasksRecording, BreadcrumbsAreLeftWhereFortressLeavesThem) {
                  {milliseconds(1000), "/rename_deploy", "ignition.msgs.Empty", ""}});
   replay.run();
   EXPECT_TRUE(replay.missing().empty());
-  // it is inserted 10.7 cm inside the vehicle and pushed out at once; Fortress's engine moves it by a millimetre per
-  // second
+  // it is inserted 10.7 cm inside the vehicle. We push it out at once, Fortress's engine by a millimetre per second
   EXPECT_LT(replay.of("model B1_0").largest, 0.05);
   EXPECT_LT(replay.of("model B1_0").largestAngle, 0.01);
   EXPECT_LT(replay.of("model B1_0_1").largest, 1e-3);
