@@ -1,5 +1,5 @@
-// Arbitrary lines as words of a command line: they must be parsed completely, and give work to do or an error message.
-// The work is not run.
+// Arbitrary lines as words of a command line. Parsing must end with a command to run or an error message. The command
+// is not run.
 
 #include <cstddef>
 #include <cstdint>

@@ -8,10 +8,10 @@
 
 namespace pongsim::fuzz {
 
-/// Loads a file of any content. Whatever it is, the loader ends, and says what is wrong.
+/// Loads a file with any content. The loader must end, and report what is wrong.
 inline void loadWhole(std::string_view text, std::string_view name) {
   Diagnostics diagnostics;
-  // nothing is found: what is on the machine has no part in it
+  // without search paths, so that the result does not depend on the machine's files
   const sdf::Root root = sdf::loadText(text, name, diagnostics, assets::finderIn({}));
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     if (format(diagnostic).empty()) std::abort();

@@ -4,7 +4,7 @@
 
 namespace pongsim::fuzz {
 
-/// Ends the fuzzer where something that must hold does not.
+/// Ends the fuzzer with a failure if the condition does not hold.
 inline void require(bool holds) {
   if (!holds) std::abort();
 }

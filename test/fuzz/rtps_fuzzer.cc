@@ -1,5 +1,5 @@
-// Any bytes as messages that come in at the wire, each after the two bytes of its length. Whatever they are, the
-// doorkeeper ends, keeps within the bytes, and changes no more than a lease.
+// Arbitrary bytes as received RTPS messages, each after its length in two bytes. The doorkeeper must end, stay within
+// the bytes, and change nothing in them but the lease.
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Doorkeeper::TimePoint now{};
   for (std::span<const std::uint8_t> rest(data, size); rest.size() > 2;) {
     const std::size_t length = std::min<std::size_t>(rest[0] + 256U * rest[1], rest.size() - 2);
-    // in memory of its own, whose end is watched
+    // a copy, so that the sanitizer detects reads past its end
     std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
     const std::vector<std::uint8_t> before = message;
     doorkeeper.admits(message, {0x7f000001, 7410}, Doorkeeper::Side::kLoopback, now);

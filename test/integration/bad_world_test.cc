@@ -9,7 +9,7 @@
 namespace pongsim::test {
 namespace {
 
-/// Runs a world with that text, and expects that it is refused with a line on stderr that matches `pattern`.
+/// Runs a world with this text, and expects that it is refused with a line on stderr that matches `pattern`.
 void expectRefused(const std::string& text, const std::string& pattern) {
   const TempFolder folder;
   const std::string file = folder.write("world.sdf", text).string();

@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
                            return name;
                          });
 
-/// @return Result and output of tools/cli-tour for a page with that text.
+/// @return Result and output of tools/cli-tour for a page with this text.
 test::Outcome tourOf(const std::string& text) {
   test::testDomain();
   const test::TempFolder folder;

@@ -73,9 +73,9 @@ std::vector<ListedWorld> runningWorlds() {
 }
 
 /// Runs one world with the commands and expectations of its entry.
-class Performance {
+class ListedRun {
  public:
-  explicit Performance(Simulation& simulation) : simulation_(simulation), node_(simulation.transport().node()) {}
+  explicit ListedRun(Simulation& simulation) : simulation_(simulation), node_(simulation.transport().node()) {}
 
   /// @return Whether the list expects this message for the world.
   static bool isExpected(const ListedWorld& world, const std::string& message) {
@@ -173,7 +173,7 @@ class FortressSystems : public testing::TestWithParam<ListedWorld> {
  private:
   test::EnvironmentVariable models_{"IGN_GAZEBO_RESOURCE_PATH"};
   const WorkingFolder workingFolder_;
-  // files that they write
+  // for the files that they write
   const test::EnvironmentVariable home_{"HOME", workingFolder_.path().string()};
 };
 
@@ -184,15 +184,15 @@ TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto simulation =
       Simulation::fromFile(*folder / GetParam().file, {.strict = true, .levels = GetParam().usesLevels}, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
-    EXPECT_TRUE(Performance::isExpected(GetParam(), diagnostic.message)) << format(diagnostic);
+    EXPECT_TRUE(ListedRun::isExpected(GetParam(), diagnostic.message)) << format(diagnostic);
   }
   ASSERT_NE(simulation, nullptr);
-  Performance performance(*simulation);
-  for (const std::string& line : GetParam().lines) performance.prepare(line);
+  ListedRun run(*simulation);
+  for (const std::string& line : GetParam().lines) run.prepare(line);
   if (HasFatalFailure()) return;
   simulation->step(static_cast<std::uint64_t>(kSeconds / toSeconds(simulation->stepSize())));
   simulation->transport().dispatch();
-  for (const std::string& line : GetParam().lines) performance.check(line);
+  for (const std::string& line : GetParam().lines) run.check(line);
 }
 
 std::string nameOf(const testing::TestParamInfo<ListedWorld>& info) {

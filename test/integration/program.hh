@@ -8,7 +8,7 @@
 
 namespace pongsim::test {
 
-/// How a process ended: `exitCode` is -1 where it had to be stopped.
+/// How a process ended; `exitCode` is -1 if it had to be killed.
 struct Outcome {
   int exitCode = -1;
   std::string output;
@@ -18,13 +18,13 @@ struct Outcome {
 /// Starts the program `pongsim` in this test's own DDS domain.
 std::unique_ptr<Process> start(std::vector<std::string> arguments);
 
-/// Runs it to its end.
+/// Runs the program until it ends.
 Outcome runToEnd(std::vector<std::string> arguments);
 
-/// Starts one of the project's own worlds, and returns when it is loaded and runs.
+/// Starts one of the project's own worlds, and waits until it is loaded and runs.
 std::unique_ptr<Process> startWorld(const std::string& name, std::vector<std::string> options = {});
 
-/// As `startWorld`, and returns when its topics and services are there.
+/// Like `startWorld`, but also waits until its topics and services are there.
 std::unique_ptr<Process> startServedWorld(const std::string& name, std::vector<std::string> options = {});
 
 /// @return The full path of one of the project's own worlds.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kWorld = "pong_world.sdf";
 
-/// @return The output of `--hash` after that many steps.
+/// @return The output of `--hash` after this many steps.
 std::string hashAfter(const char* iterations) {
   const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", iterations, "--hash"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.error;

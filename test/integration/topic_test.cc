@@ -183,7 +183,7 @@ TEST_F(Topic, PublishesAgainAndAgain) {
   EXPECT_EQ(echo->output(), "data: 7\n\ndata: 7\n\ndata: 7\n\ndata: 7\n\n");
 }
 
-// as if other processes were slow to report their topics
+// with a short wait, as if other processes were slow to report their topics
 TEST_F(Topic, PublishesToWhoIsThereHoweverShortItWaits) {
   ASSERT_EQ(runToEnd({"topic", "-et", "/clock", "-n", "1"}).exitCode, 0);
   const Outcome publish =

@@ -30,7 +30,7 @@ namespace {
 
 // Far more than is kept for a stopped subscriber, far less than a leak would add.
 #ifdef __SANITIZE_ADDRESS__
-// the sanitizer holds back as much of the freed memory
+// the sanitizer keeps this much of the freed memory
 constexpr std::uint64_t kSomeMemory = (200 + 256) << 20;
 #else
 constexpr std::uint64_t kSomeMemory = 200 << 20;
@@ -107,7 +107,7 @@ TEST_F(TransportFault, OfSubscribersThatAreKilledHoldsUpNothing) {
 TEST_F(TransportFault, OfASlowSubscriberIsCountedAndHoldsUpNothing) {
   const auto terminal = PseudoTerminal::open();
   if (!terminal) GTEST_SKIP() << "no terminal can be had here";
-  // nobody reads it: the program would block once it is full
+  // nobody reads the terminal: the program blocks once its buffer is full
   const Process slow({"sh", "-c", "exec " PONGSIM_PROGRAM " topic -e -t /clock >" + terminal->name()});
   const std::uint64_t memory = memoryOf(world_->pid());
   const Regex subscriber("  " + std::to_string(slow.pid()) +
@@ -147,7 +147,7 @@ bool seesSoon(Transport& transport, const std::function<bool(const std::set<std:
   return isDone(names);
 }
 
-/// A killed participant is removed when its lease ends; a living one is not.
+/// Expects that a killed participant is removed when its lease ends, and a living one is not.
 void forgetsTheKilled() {
   Transport transport;
   std::vector<std::unique_ptr<Process>> others;
@@ -187,7 +187,7 @@ TEST(Transport, ForgetsWhoWasKilledOfASecuredDomain) {
   unsetenv("PONGSIM_SECURITY");
 }
 
-// The duration of a write also depends on the machine; whether its thread waits for another one depends on us.
+// Counts how often a write waits for another thread: its duration would also depend on the load of the machine.
 TEST(Transport, HoldsUpNobodyWhoPublishes) {
   testDomain();
   Transport transport;
@@ -217,9 +217,9 @@ TEST(Transport, HoldsUpNobodyWhoPublishes) {
     transport.dispatchFor(std::chrono::microseconds(200));
   }
   EXPECT_TRUE(listeners[0]->waitForOutput("got"));
-  // the outbox's lock is taken now and then, and never held for long
+  // the outbox's lock is rarely taken, and held only briefly
 #ifdef __SANITIZE_THREAD__
-  // which the sanitizer makes longer
+  // longer with the sanitizer
   EXPECT_LT(waits, kWrites / 50);
 #else
   EXPECT_LT(waits, kWrites / 200);
@@ -268,7 +268,7 @@ TEST(Transport, OfARunIsOpenToTheNetworkThatItIsToldAndSaysSo) {
   bool isOpen = false;
   for (const std::string& socket : socketsOf(world.pid(), "udp")) {
     isOpen = isOpen || socket.starts_with("0107070A:");
-    // that one, and the discovery ports
+    // this address, and the discovery ports
     EXPECT_TRUE(socket.starts_with("0100007F:") || socket.starts_with("0107070A:") || socket.starts_with("0100FFEF:"))
         << socket;
   }

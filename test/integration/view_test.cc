@@ -38,7 +38,7 @@ std::string coloredWorld(const std::string& name) {
 /// Images of a world from ten metres above: x is up, y to the left.
 class SeenFromAbove {
  public:
-  /// @param arguments Of `view`, selecting the world.
+  /// @param arguments Arguments of `view` that select the world.
   explicit SeenFromAbove(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "view");
     arguments.insert(arguments.end(), {"--camera", "0 0 10 0 1.570796 0", "--size", "40x40", "--terminal"});

@@ -199,7 +199,7 @@ TEST_F(SeveralWorlds, AreNamedWhereTheirSystemsFail) {
   EXPECT_NE(outcome.error.find("error: misbehaving of m (world bad): failed in preUpdate: no more; it is switched off"),
             std::string::npos)
       << outcome.error;
-  // the other one would run forever
+  // without the fault, the other world would run forever
   const Outcome strict = runToEnd({"run", file, "--strict"});
   EXPECT_EQ(strict.exitCode, 1);
   EXPECT_EQ(lines(strict.error).back(), "pongsim: error: misbehaving of m (world bad) failed in preUpdate: no more");

@@ -32,7 +32,7 @@ class PackageTest : public testing::Test {
   void SetUp() override {
     testDomain();
     run("'" PONGSIM_CMAKE "' --install '" PONGSIM_BUILD_FOLDER "' --prefix installed >/dev/null");
-    // moved to another place: nothing may depend on the original path
+    // move the installation, because nothing may depend on its original path
     std::filesystem::rename(folder_.path() / "installed", folder_.path() / "moved");
   }
 
@@ -69,7 +69,7 @@ TEST_F(PackageTest, RunsWorldsWithItsOwnSystems) {
 
 TEST_F(PackageTest, HasTheProgramThatDownloads) {
   EXPECT_EQ(run("IGN_FUEL_CACHE_PATH=$PWD/cache pongsim fuel check"), "0 models, 0 worlds: all complete\n");
-  // the loader finds it too: that it is not one to ask is what it says
+  // the loader runs this program too, which says that it does not know the server
   const std::string said = run(
       "echo '<sdf version=\"1.9\"><world name=\"w\"><include><uri>https://example.invalid/o/models/m</uri></include>"
       "</world></sdf>' >w.sdf\n"
@@ -150,7 +150,7 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
   int systems = 0;
   for (const auto& library : std::filesystem::directory_iterator(libraries / "pongsim/plugins")) {
     std::vector<std::string> offered = exportsOf(library.path());
-    // beside its systems, of one that has it
+    // a library that also exports a message encoder
     if (library.path().filename() == "libpongsim-ros2-system.so") {
       EXPECT_EQ(std::erase(offered, "pongsim_encoder"), 1);
     }

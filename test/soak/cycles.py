@@ -4,7 +4,7 @@ A cycle is a generator: it asks for changes by `ask(service, request, type)`, wh
 steps that are to be made before it goes on. The world pauses at each change, so that all cycles of a kind have the same bits.
 """
 
-#: Steps of every cycle, and how many of them are between two hashes.
+#: Number of steps in a cycle, and between two hashes.
 STEPS = 1000
 PERIOD = 250
 
@@ -77,7 +77,7 @@ def begin(ask):
     yield PERIOD
 
 
-#: In the order in which a world goes through them.
+#: In the order of their execution.
 KINDS = [plain, spawned, removed, changed, moved, seeded, interrupted]
-#: Whose bits a kind must have: its own where it is not here.
+#: The kind whose hashes a kind must have, if not its own.
 SAME_BITS = {"interrupted": "plain", "saved": "plain", "loaded": "plain"}

@@ -9,7 +9,7 @@ import subprocess
 import threading
 import time
 
-#: Long enough for anything that works, on a machine that is busy with other work [s].
+#: After this time something counts as failed, even on a busy machine [s].
 DEADLINE = 300
 HASH = re.compile(r"state hash of (\w+) after (\d+): ([0-9a-f]{16})")
 
@@ -56,7 +56,7 @@ class Daemon:
             if self.process.poll() is not None or time.monotonic() > end:
                 raise Fault("the daemon does not start: " + self.said())
             time.sleep(0.02)
-        # a world that prints more than a pipe holds would wait for us, who may wait for its answer
+        # read its output, because a full pipe would block the world while we may wait for its response
         threading.Thread(target=self._drain, daemon=True).start()
 
     def _drain(self):

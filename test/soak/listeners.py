@@ -32,7 +32,7 @@ class Listeners:
             return
         way = self._number % 3
         if way == 0:
-            # goes on through as many rounds as it takes
+            # checked again in the following rounds until it has ended
             code = self._process.poll()
             if code is None:
                 return
@@ -41,7 +41,7 @@ class Listeners:
         elif way == 1:
             self._process.send_signal(signal.SIGCONT)
             self._process.terminate()
-            # the signal's own end: it had not begun to listen
+            # ended by the signal itself: it had not installed its handler yet
             if self._wait() not in (0, -signal.SIGTERM):
                 raise Fault(f"a listener that was stopped ends with code {self._process.returncode}")
         else:

@@ -26,26 +26,26 @@ from listeners import Listeners  # noqa: E402
 from test_domain import take_domain  # noqa: E402
 
 WORLDS = HERE / "worlds.sdf"
-#: Rounds before the first measure, in which each kind of cycle comes six times, and between two measures.
+#: Rounds before the first measurement and between two: six cycles of each kind.
 BEGIN = 42
 MEASURED = 21
-#: For so many rounds memory may grow: all kinds of listeners come to all topics, and the allocator's pools get their size.
+#: In the first rounds memory may grow: all kinds of listeners meet all topics, and the allocator's pools fill.
 WARM_UP = 252
-#: And for this part of the run.
+#: Memory may also grow in this part of the run.
 WARM_UP_PART = 0.1
-#: The warm-up starts again when rounds come faster than ever before by this factor, since more messages then wait for
-#: listeners at once.
+#: The warm-up starts again when rounds are faster than ever before by this factor, because then more messages wait for
+#: listeners at a time.
 FASTER = 1.25
-#: So many measures are a window. What waits for slow listeners, and is kept for a while when they have gone, takes 20 MB at
-#: times; the least of a window is what stays.
+#: Measurements in a window, of which the smallest counts: messages that wait for slow listeners, or are kept for a while
+#: after these have gone, sometimes take 20 MB.
 WINDOW = 120
-#: What the least may grow by until the run is twice as long [bytes]; then it counts anew. An allocator that several threads
-#: use keeps some MB more after a time of much other work on the machine, and then no more. A leak does not end: one of 500
-#: bytes a round is more within two hours of ten rounds a second.
+#: How much a window's smallest value may grow until the run is twice as long [bytes]; then the comparison starts anew. After
+#: a time of high load the allocator may keep some MB more, but only once. A leak goes on: one of 500 bytes a round exceeds
+#: this within two hours at ten rounds a second.
 GROWTH = 12 << 20
-#: What may be taken beyond the least at any time [bytes].
+#: How much more than the smallest value may be used at any time [bytes].
 WAITING = 64 << 20
-#: One in so many rounds may be given up, since the machine had no time for the daemon.
+#: One in this many rounds may be given up, because a busy machine did not run the daemon.
 MOST_LOST = 100
 
 
@@ -110,7 +110,7 @@ class Bound:
         end = time.monotonic() + self._patience
         now = self._footprint()
         if self._first is None:
-            # a descriptor that is open for a moment, to ask the system for its sockets, is none of those that stay
+            # the library briefly opens a descriptor now and then, to list sockets: take the lowest of several counts
             looks = [now]
             for _ in range(20):
                 time.sleep(0.005)
@@ -337,7 +337,7 @@ def main():
     parser.add_argument("--minutes", type=float, default=15, help="how long (15)")
     parser.add_argument("--rounds", type=int, default=0, help="at least so many rounds, however long they take (0)")
     parser.add_argument("--every", type=float, default=30, help="seconds between two lines (30)")
-    # so that nothing that was started is left behind
+    # so that the processes that were started are ended
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     return run(parser.parse_args())
 

@@ -100,7 +100,7 @@ class Warmth(unittest.TestCase):
         self.assertFalse(warm_up.goes_on(now, rounds))
         faster = 20 * FASTER
         self.assertTrue(warm_up.goes_on(now + 20, rounds + faster + 1))
-        # as fast as that, or slower, for as many rounds as at first
+        # at that speed or slower, for as many rounds as in the first warm-up
         self.assertTrue(warm_up.goes_on(now + 1000, rounds + faster + 1 + WARM_UP))
         self.assertFalse(warm_up.goes_on(now + 1020, rounds + faster + 2 + WARM_UP + faster))
 

@@ -13,8 +13,9 @@
 
 namespace pongsim::test {
 
-/// Calls a service that this thread offers on the same transport, and meets the request meanwhile.
-/// @param between Called between two looks for it, as a paused run goes on.
+/// Calls a service that this thread offers on the same transport, from another thread, and dispatches until the
+/// response.
+/// @param between Called after each dispatch, as a run calls its work.
 inline CallResult askService(Transport& transport, std::string_view service, const Message& request, Message& reply,
                              const std::function<void()>& between = {}) {
   std::atomic<bool> answered = false;
@@ -32,7 +33,7 @@ inline CallResult askService(Transport& transport, std::string_view service, con
   return result;
 }
 
-/// @return Why the service refused; empty where it did not.
+/// @return Why the service refused, or the error of another kind; empty if the call succeeded.
 inline std::string refusalOf(const CallResult& result) {
   constexpr std::string_view kBefore = " refused: ";
   const std::size_t place = result.error.find(kBefore);

@@ -6,24 +6,24 @@
 
 namespace pongsim::test {
 
-/// What stands in the model of a drone besides its body and rotors.
+/// Content of a drone's model in addition to its body and rotors.
 struct DroneParts {
   std::string pose = "0 0 0 0 0 0";
-  /// In the `<plugin>` of each motor.
+  /// Content of each motor's `<plugin>`.
   std::string motor = {};
-  /// In the model, behind the motors.
+  /// Content of the model, after the motors.
   std::string rest = {};
 };
 
-/// Where its rotors are on the body [m]: the first two turn anticlockwise.
+/// Positions of the rotors on the body [m]; the first two turn anticlockwise.
 inline constexpr std::array<std::array<double, 2>, 4> kDroneRotors{
     {{0.13, -0.2}, {-0.13, 0.2}, {0.13, 0.2}, {-0.13, -0.2}}};
-/// All of it [kg].
+/// Total mass [kg].
 inline constexpr double kDroneMass = 1.5;
-/// Thrust of a rotor by the square of its speed [N s^2/rad^2], by default.
+/// Default thrust of a rotor, divided by the square of its speed [N s^2/rad^2].
 inline constexpr double kDroneThrust = 8.54858e-6;
 
-/// @return Model "d" for tests of what flies: a body of 1.48 kg and four rotors of 5 g, whose motors listen to
+/// @return Model "d": a body of 1.48 kg and four rotors of 5 g, whose motors listen to
 /// /d/motor_speed.
 inline std::string drone(const DroneParts& parts) {
   std::string text = "<model name='d'><pose>" + parts.pose +

@@ -7,7 +7,7 @@
 
 namespace pongsim::test {
 
-/// A variable of this process's environment, which is as before once this object is gone.
+/// Sets a variable of this process's environment; the destructor restores the value before.
 class EnvironmentVariable {
  public:
   explicit EnvironmentVariable(const char* name) : name_(name) {

@@ -11,8 +11,8 @@
 
 namespace pongsim::test {
 
-/// @return What stands in a system's example world from its first model on, for a `RunningWorld`.
-/// @param file Below the project's folder.
+/// @param file A system's example world, relative to the project's folder.
+/// @return Its content from the first model on, for a `RunningWorld`.
 inline std::string modelsOf(const std::filesystem::path& file) {
   std::ifstream stream(projectFolder() / file);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

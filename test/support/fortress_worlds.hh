@@ -8,11 +8,11 @@ namespace pongsim::test {
 /// @return The project's root folder.
 std::filesystem::path projectFolder();
 
-/// @return The folder of Fortress's own worlds: what the environment variable PONGSIM_FORTRESS_WORLDS says, else
-/// ../shared/fortress from the project's root; nothing where there is no such folder (skip the test then).
+/// @return The folder of Fortress's own worlds: that in the environment variable PONGSIM_FORTRESS_WORLDS, else
+/// ../shared/fortress relative to the project's root; nothing if it does not exist (skip the test then).
 std::optional<std::filesystem::path> fortressWorlds();
 
-/// @return The folder of data recorded with Fortress, beside that of its worlds; nothing where there is none.
+/// @return The folder of data recorded with Fortress, beside that of its worlds; nothing if it does not exist.
 std::optional<std::filesystem::path> goldenData();
 
 }  // namespace pongsim::test

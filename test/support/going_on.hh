@@ -13,8 +13,8 @@
 
 namespace pongsim::test {
 
-/// Fails unless a state takes all with it that the next steps depend on: `other`, of the same content, is given that of
-/// `world`, and both must then come to the same bits.
+/// Fails unless a saved state contains everything that the next steps depend on: restores the state of `world` in
+/// `other`, which has the same content. After further steps both must have the same bits.
 inline void expectSameBitsFromSavedState(RunningWorld& world, RunningWorld& other, std::uint64_t steps) {
   const std::vector<std::byte> state = world.simulation().saveState();
   ASSERT_EQ(other.simulation().restoreState(state), std::nullopt);
@@ -23,7 +23,7 @@ inline void expectSameBitsFromSavedState(RunningWorld& world, RunningWorld& othe
   EXPECT_EQ(other.simulation().stateHash(), world.simulation().stateHash());
 }
 
-/// As above, and both must say the same on a topic.
+/// As above. Both must also publish the same messages on a topic.
 template <class M>
 void expectSameBitsFromSavedState(RunningWorld& world, RunningWorld& other, std::uint64_t steps,
                                   const std::string& topic) {
@@ -44,8 +44,8 @@ inline void resetWorld(RunningWorld& world) {
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
-/// Fails unless a reset takes back all that has been: the world is run, reset, run in another way, and reset, after
-/// which the first way must lead to the same bits again.
+/// Fails unless a reset undoes everything: after a run, a reset, another run and another reset, the first run must lead
+/// to the same bits again.
 inline void expectToBeginAnewAfterReset(RunningWorld& world, const std::function<void()>& run,
                                         const std::function<void()>& runOtherwise) {
   run();

@@ -13,11 +13,11 @@ namespace pongsim::test {
 /// of 127.0.0.1.
 std::set<std::string> socketsOf(pid_t pid, const std::string& table);
 
-/// @return Bytes of memory that a process takes now, without the files that it has mapped, whose pages come and go with
-/// what else the machine does; 0 where it has ended.
+/// @return Memory of a process [bytes], without mapped files, of which the kernel drops and reloads pages as it likes;
+/// 0 if it has ended.
 std::uint64_t memoryOf(pid_t pid);
 
-/// @return The names in /dev/shm of what a process has mapped.
+/// @return The names of the files in /dev/shm that a process has mapped.
 std::set<std::string> sharedMemoryOf(pid_t pid);
 
 }  // namespace pongsim::test

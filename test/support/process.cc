@@ -20,7 +20,7 @@ namespace pongsim::test {
 
 namespace {
 
-// All that a pipe holds: pipe(7).
+// Capacity of a pipe: pipe(7).
 constexpr std::size_t kPipeSize = 65536;
 
 std::vector<std::string> environmentWith(const std::map<std::string, std::string>& added) {
@@ -40,7 +40,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// Reading from it never waits.
+/// @return A pipe whose reading end does not block.
 std::array<int, 2> makePipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0 || fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) {
@@ -64,7 +64,7 @@ Process::Process(const std::vector<std::string>& arguments, const Options& optio
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error(std::string("cannot fork: ") + std::strerror(errno));
   if (pid_ == 0) {
-    // a test that crashes leaves nothing running
+    // so that it ends even if the test crashes
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(input, STDIN_FILENO);
     dup2(output[1], STDOUT_FILENO);
@@ -112,11 +112,11 @@ std::optional<int> Process::wait(std::chrono::nanoseconds timeout) {
     }
   }
 
-  // its own children may keep the pipes open for longer than it lives
+  // children of the process may keep the pipes open after it has ended
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, std::chrono::seconds(1), [this] { return readAll_; });
   lock.unlock();
-  // what it wrote itself is there, also where a busy machine has not run the reader for that long
+  // what the process itself wrote is in the pipe, even if the reading thread has not run since
   takeFrom(output_);
   takeFrom(error_);
   return exitCode_;

@@ -15,21 +15,21 @@
 
 namespace pongsim::test {
 
-/// Long enough for anything that works, on a machine that is busy with other tests.
+/// After this time something counts as failed, even on a machine that is busy with other tests.
 inline constexpr std::chrono::seconds kDeadline{60};
 
-/// A program that a test started. Its output is read in the background. Ends with this object.
+/// A program that a test started. Its output is read in the background. The destructor kills it.
 class Process {
  public:
   struct Options {
     /// Added to this process's own environment.
     std::map<std::string, std::string> environment;
-    /// Working folder, this process's own where empty.
+    /// Working folder; empty: this process's own.
     std::filesystem::path folder;
   };
 
-  /// Starts `arguments[0]`, looked up in PATH where it has no slash. Its standard input is empty.
-  /// @throws std::runtime_error where it can't be started. A missing program exits with 127.
+  /// Starts `arguments[0]`, which is looked up in PATH if it has no slash. Its standard input is empty.
+  /// @throws std::runtime_error if no process can be started. If the program is missing, the process exits with 127.
   explicit Process(const std::vector<std::string>& arguments, const Options& options = Options());
   ~Process();
   Process(const Process&) = delete;
@@ -41,7 +41,7 @@ class Process {
   void kill(int signal) const;
 
   /// Waits until it has ended and all that it wrote has been read.
-  /// @return Its exit code, 128 + number where a signal ended it; nothing after `timeout`.
+  /// @return Its exit code, or 128 plus the number of the signal that ended it; nothing after `timeout`.
   std::optional<int> wait(std::chrono::nanoseconds timeout = kDeadline);
 
   /// Waits until its standard output or its standard error holds something that `pattern` (a regular expression,
@@ -60,7 +60,7 @@ class Process {
   };
 
   void read();
-  /// @return Whether more can come.
+  /// @return Whether more output can follow.
   bool takeFrom(Stream& stream);
   bool waitFor(const Stream& stream, const std::string& pattern, std::chrono::nanoseconds timeout);
 

@@ -8,10 +8,10 @@
 
 namespace pongsim::test {
 
-/// A terminal whose keyboard the test is.
+/// A terminal on which the test types.
 class PseudoTerminal {
  public:
-  /// @return A new one; null on a machine that has none (skip the test then).
+  /// @return A new one; null if the machine has no pseudo-terminals (skip the test then).
   static std::unique_ptr<PseudoTerminal> open();
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;
@@ -23,8 +23,8 @@ class PseudoTerminal {
   int terminal() const { return terminal_; }
   /// @throws std::runtime_error if the keys can't be sent.
   void type(std::string_view keys) const;
-  /// Waits until that was written to the terminal.
-  /// @throws std::runtime_error if it was not in time.
+  /// Waits until a program has written this text to the terminal.
+  /// @throws std::runtime_error after `kDeadline`.
   void waitFor(std::string_view text) const;
   /// @throws std::runtime_error if they can't be read.
   termios settings() const;

@@ -6,10 +6,10 @@
 
 namespace pongsim::test {
 
-/// A regular expression (ECMAScript). Each file that includes <regex> takes seconds longer to compile; this does not.
+/// A regular expression (ECMAScript). Hides <regex>, which takes seconds to compile in each file that includes it.
 class Regex {
  public:
-  /// What an expression matches, and after that what each of its groups does.
+  /// The text that the expression matches, then the text of each group.
   using Match = std::vector<std::string>;
 
   explicit Regex(const std::string& expression);

@@ -15,8 +15,8 @@
 
 namespace pongsim::test {
 
-/// @return What stands in a world for tests of systems that move a joint: model "m", whose joint "hinge" turns a link
-/// of 0.1 kg m^2 about z, beside a fixed one, "hold"; without gravity.
+/// @return Content of a world for tests of systems that move a joint, without gravity: model "m", whose joint "hinge"
+/// turns a link of 0.1 kg m^2 about z; the joint "hold" is fixed.
 /// @param system As in filename and class: "joint-controller", "JointController".
 inline std::string hingeWith(const std::string& system, const std::string& className, const std::string& parameters) {
   return R"(<gravity>0 0 0</gravity><model name="m">
@@ -28,16 +28,16 @@ inline std::string hingeWith(const std::string& system, const std::string& class
          system + "-system\" name=\"ignition::gazebo::systems::" + className + "\">" + parameters + "</plugin></model>";
 }
 
-/// A world that a test steps and listens to. What is wrong with it fails the test.
+/// A world that a test steps and listens to. Errors and warnings about it fail the test.
 class RunningWorld {
  public:
-  /// @param content What stands in the `<world>`, whose name is "w", beside the physics.
+  /// @param content Content of the `<world>`, in addition to the physics. Its name is "w".
   explicit RunningWorld(const std::string& content) {
     Diagnostics diagnostics;
     simulation_ = Simulation::fromText(textOf(content), "world.sdf", {}, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
   }
-  /// A world of Fortress, of which we may not be able to do everything.
+  /// A world of Fortress, which may have content that is not simulated.
   explicit RunningWorld(const std::filesystem::path& file) {
     Diagnostics diagnostics;
     simulation_ = Simulation::fromFile(file, {}, diagnostics);
@@ -52,7 +52,7 @@ class RunningWorld {
            content + "</world></sdf>";
   }
 
-  /// @return What is said about a world with that content.
+  /// @return The messages about a world with this content.
   static std::vector<std::string> complaintsAbout(const std::string& content) {
     Diagnostics diagnostics;
     Simulation::fromText(textOf(content), "world.sdf", {}, diagnostics);
@@ -71,14 +71,14 @@ class RunningWorld {
         topic, [&messages](const M& message) { messages.push_back(message); }));
   }
 
-  /// Publishes a message on the topic, which keeps its publisher.
+  /// Publishes a message. The topic's publisher is kept for later messages.
   template <class M>
   void tell(const std::string& topic, const M& message) {
     publishers_.push_back(simulation_->transport().node().advertise<M>(topic));
     publishers_.back().publish(message);
   }
 
-  /// As `tell`, a message of that type in protobuf's text format.
+  /// Like `tell`, with a message of this type in protobuf's text format.
   void tellText(const std::string& topic, const std::string& type, const std::string& text) {
     publishers_.push_back(simulation_->transport().node().advertise(topic, type));
     const MessagePointer message = newMessage(type);
@@ -86,15 +86,15 @@ class RunningWorld {
     publishers_.back().publish(*message);
   }
 
-  /// As `tell`, an ignition.msgs.Double.
+  /// Like `tell`, with an ignition.msgs.Double.
   void tellNumber(const std::string& topic, double value) {
     tellText(topic, "ignition.msgs.Double", "data: " + std::to_string(value));
   }
 
-  /// Tells commands that nobody may follow, each with some steps after it: of huge numbers, infinite ones and one that
-  /// is none. It fails unless that is warned of.
-  /// @param text With '#' where the number stands: "linear {x: #}".
-  /// @param largest Bound that the warning tells.
+  /// Publishes commands with a huge, infinite or NaN number, each followed by some steps. Fails unless a warning says
+  /// that they are refused.
+  /// @param text Text of the message with '#' for the number: "linear {x: #}".
+  /// @param largest The limit that the warning must give.
   void tellAbsurdities(const std::string& topic, const std::string& type, const std::string& text,
                        const std::string& largest = "1e+06") {
     testing::internal::CaptureStderr();
@@ -105,7 +105,7 @@ class RunningWorld {
       step(3);
     }
     const std::string said = testing::internal::GetCapturedStderr();
-    // of the others no word, for they came within a second
+    // only one warning, because the others came within a second
     EXPECT_NE(said.find("topic '" + topic + "': a message from this process is refused: "), std::string::npos) << said;
     EXPECT_NE(said.find(" is 1e+308; numbers must be finite, from -" + largest + " to " + largest + "; dropped\n"),
               std::string::npos)
@@ -113,7 +113,7 @@ class RunningWorld {
     EXPECT_EQ(said.find("switched off"), std::string::npos) << said;
   }
 
-  /// Makes steps and hands over what was published in the last one.
+  /// Makes steps, and delivers the messages of the last one.
   void step(std::uint64_t count) {
     simulation_->step(count);
     simulation_->transport().dispatch();

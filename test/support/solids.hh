@@ -44,7 +44,7 @@ inline TriangleMesh boxBetween(const Vector3& low, const Vector3& high) {
   return mesh;
 }
 
-/// What lies between a closed line of (radius, z), counter-clockwise, and its picture turned about z, in `count` steps.
+/// @return The solid of revolution of a closed line of (radius, z), counter-clockwise, about z, in `count` steps.
 inline TriangleMesh turned(const std::vector<std::pair<double, double>>& line, std::uint32_t count) {
   TriangleMesh mesh;
   const auto length = static_cast<std::uint32_t>(line.size());
@@ -63,7 +63,7 @@ inline TriangleMesh turned(const std::vector<std::pair<double, double>>& line, s
   return mesh;
 }
 
-/// Half a ball's shell, open upwards, its middle in the origin: 4 * rings * count triangles or so.
+/// Half of a spherical shell, open upwards, with its centre in the origin: about 4 * rings * count triangles.
 inline TriangleMesh bowl(double radius, double thickness, std::uint32_t count, int rings) {
   std::vector<std::pair<double, double>> line;
   const auto add = [&](double r, int i) {
@@ -75,8 +75,8 @@ inline TriangleMesh bowl(double radius, double thickness, std::uint32_t count, i
   return turned(line, count);
 }
 
-/// An L in the xz plane, `width` along y: legs of 3 along x and 2 along z, both 1 wide, times `unit`, its corner in the
-/// origin.
+/// An L in the xz plane, `width` along y, with its corner in the origin. In multiples of `unit` its legs are 3 long
+/// along x and 2 along z, and 1 wide.
 inline TriangleMesh angleIron(double unit, double width) {
   const sdf::Outline outline{{{0, 0}, {3 * unit, 0}, {3 * unit, unit}, {unit, unit}, {unit, 2 * unit}, {0, 2 * unit}}};
   const TriangleMesh flat = *sdf::extrude(outline, width);
@@ -84,7 +84,7 @@ inline TriangleMesh angleIron(double unit, double width) {
   return moved(flat, {{0, width / 2, 0}, fromRollPitchYaw(std::numbers::pi / 2, 0, 0)});
 }
 
-/// A wheel with its axle along y: a rim of `count` sides, spokes and a hub, all in one surface by union of volumes.
+/// A wheel with its axle along y: a rim of `count` sides, spokes and a hub, united into one surface.
 inline TriangleMesh spokedWheel(double radius, double width, std::uint32_t count, int spokes) {
   const double rim = 0.12 * radius, hub = 0.2 * radius, half = width / 2;
   TriangleMesh wheel = turned({{radius - rim, -half}, {radius, -half}, {radius, half}, {radius - rim, half}}, count);

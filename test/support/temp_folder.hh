@@ -5,7 +5,7 @@
 
 namespace pongsim::test {
 
-/// A new, empty folder that goes away with this object, whatever is in it.
+/// A new, empty folder; the destructor removes it with all its content.
 class TempFolder {
  public:
   TempFolder();
@@ -15,7 +15,7 @@ class TempFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file in it, in folders below it where `name` has some.
+  /// Writes a file in the folder; `name` may begin with folders, which are created.
   /// @return The file's full path.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const;
 

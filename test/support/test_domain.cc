@@ -12,8 +12,8 @@ namespace pongsim::test {
 
 namespace {
 
-// The ports of a domain begin at 7400 + 250 * domain; from domain 101 on they are among those that Linux gives to
-// outgoing sockets.
+// The ports of a domain begin at 7400 + 250 * domain. From domain 101 on they are in the range from which Linux assigns
+// ports to outgoing sockets.
 constexpr int kDomains = 100;
 
 int takeDomain() {

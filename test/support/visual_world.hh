@@ -13,7 +13,7 @@
 
 namespace pongsim::test {
 
-/// A world of visuals for what looks at it: one model each, whose only link is at the model's place.
+/// A world of visuals for tests of sensors. Each visual has a model of its own with one link at the model's origin.
 class VisualWorld {
  public:
   description::Visual& add(const description::Geometry& geometry, const Pose& X_WorldModel = {}, bool isStatic = true) {
@@ -35,7 +35,7 @@ class VisualWorld {
   const std::vector<Diagnostic>& warnings() const { return diagnostics_.all(); }
 
  protected:
-  /// Makes entities and state of what is in it.
+  /// Creates entities and state from the description.
   void populate() {
     entities_.emplace(world_);
     state_.emplace(*entities_);

@@ -8,8 +8,8 @@
 
 namespace pongsim::test {
 
-/// Waits until that is true.
-/// @return Whether it is; false after the tests' deadline.
+/// Waits until the condition holds.
+/// @return False if it does not hold within `kDeadline`.
 inline bool waitUntil(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + kDeadline;
   while (!condition()) {
