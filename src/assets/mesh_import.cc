@@ -52,7 +52,35 @@ ImportedScene import(const std::filesystem::path& file, std::string_view ending,
   return ImportedScene(assimp().importFileFromMemoryWithProperties(text.data(), size, steps, "dae", &settings));
 }
 
+/// Adds the meshes of a node and of those below it.
+/// @param triangleCount Counts each use of a mesh.
+/// @return False, with some meshes left out, if there are too many triangles.
+bool addPlaced(const aiScene& scene, const std::string& submesh, const aiNode& node, const aiMatrix4x4& X_ParentNode,
+               int depth, std::size_t& triangleCount, std::vector<PlacedMesh>& placed) {
+  if (depth > kDeepestNode) return true;
+  const aiMatrix4x4 X_FileNode = X_ParentNode * node.mTransformation;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+    if (!submesh.empty() && node.mName.C_Str() != submesh && mesh.mName.C_Str() != submesh) continue;
+    triangleCount += mesh.mNumFaces;
+    if (triangleCount > kMostTriangles) return false;
+    placed.push_back({&mesh, &node, X_FileNode});
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) {
+    if (!addPlaced(scene, submesh, *node.mChildren[i], X_FileNode, depth + 1, triangleCount, placed)) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::variant<std::vector<PlacedMesh>, Problem> placedMeshes(const aiScene& scene, const std::string& submesh) {
+  std::vector<PlacedMesh> placed;
+  std::size_t triangleCount = 0;
+  if (scene.mRootNode == nullptr || addPlaced(scene, submesh, *scene.mRootNode, {}, 0, triangleCount, placed))
+    return placed;
+  return Problem{"contains more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+}
 
 std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& file, int dropped, unsigned steps) {
   const std::string ending = lowerCaseEnding(file);

@@ -66,65 +66,28 @@ std::optional<Material> materialOf(const aiMaterial& from, const std::filesystem
   return material;
 }
 
-/// Copies the wanted meshes of a scene, placed by its nodes.
-class LookCopier {
- public:
-  LookCopier(const aiScene& scene, const std::string& submesh, std::filesystem::path folder)
-      : scene_(scene), submesh_(submesh), folder_(std::move(folder)) {}
-
-  void copy(const aiNode& node, const aiMatrix4x4& X_ParentNode, int depth) {
-    if (depth > kDeepestNode) return;
-    const aiMatrix4x4 X_FileNode = X_ParentNode * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes && !isTooLarge_; ++i) {
-      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
-      if (submesh_.empty() || node.mName.C_Str() == submesh_ || mesh.mName.C_Str() == submesh_) {
-        copyMesh(mesh, node, X_FileNode);
-      }
+/// @return A placed mesh; nothing if a vertex is not finite.
+std::optional<MeshLook> lookOf(const PlacedMesh& placed) {
+  const auto& [from, node, X_FileMesh] = placed;
+  MeshLook look{node->mName.C_Str(), from->mName.C_Str(), {}, {}, {}};
+  const aiMatrix3x3 normals = aiMatrix3x3(X_FileMesh).Inverse().Transpose();
+  for (unsigned i = 0; i < from->mNumVertices; ++i) {
+    const aiVector3D at = X_FileMesh * from->mVertices[i];
+    MeshLook::Corner corner{{at.x, at.y, at.z}, Eigen::Vector3f::UnitZ()};
+    if (!corner.position.allFinite()) return std::nullopt;
+    if (from->HasNormals()) {
+      const aiVector3D normal = normals * from->mNormals[i];
+      corner.normal = Eigen::Vector3f(normal.x, normal.y, normal.z).stableNormalized();
     }
-    for (unsigned i = 0; i < node.mNumChildren && !isTooLarge_; ++i) copy(*node.mChildren[i], X_FileNode, depth + 1);
+    if (from->HasTextureCoords(0)) corner.coordinates = {from->mTextureCoords[0][i].x, from->mTextureCoords[0][i].y};
+    look.corners.push_back(corner);
   }
-
-  bool isTooLarge() const { return isTooLarge_; }
-  bool isFinite() const { return isFinite_; }
-  std::vector<MeshLook> take() { return std::move(looks_); }
-
- private:
-  void copyMesh(const aiMesh& from, const aiNode& node, const aiMatrix4x4& X_FileNode) {
-    triangleCount_ += from.mNumFaces;
-    isTooLarge_ = triangleCount_ > kMostTriangles;
-    if (isTooLarge_) return;
-    MeshLook look{node.mName.C_Str(), from.mName.C_Str(), {}, {}, {}};
-    const aiMatrix3x3 normals = aiMatrix3x3(X_FileNode).Inverse().Transpose();
-    for (unsigned i = 0; i < from.mNumVertices; ++i) {
-      const aiVector3D at = X_FileNode * from.mVertices[i];
-      MeshLook::Corner corner{{at.x, at.y, at.z}, Eigen::Vector3f::UnitZ()};
-      isFinite_ = isFinite_ && corner.position.allFinite();
-      if (from.HasNormals()) {
-        const aiVector3D normal = normals * from.mNormals[i];
-        corner.normal = Eigen::Vector3f(normal.x, normal.y, normal.z).stableNormalized();
-      }
-      if (from.HasTextureCoords(0)) corner.coordinates = {from.mTextureCoords[0][i].x, from.mTextureCoords[0][i].y};
-      look.corners.push_back(corner);
-    }
-    for (unsigned i = 0; i < from.mNumFaces; ++i) {
-      const aiFace& face = from.mFaces[i];
-      if (face.mNumIndices == 3) look.triangles.insert(look.triangles.end(), face.mIndices, face.mIndices + 3);
-    }
-    if (look.triangles.empty()) return;
-    if (from.mMaterialIndex < scene_.mNumMaterials) {
-      look.material = materialOf(*scene_.mMaterials[from.mMaterialIndex], folder_);
-    }
-    looks_.push_back(std::move(look));
+  for (unsigned i = 0; i < from->mNumFaces; ++i) {
+    const aiFace& face = from->mFaces[i];
+    if (face.mNumIndices == 3) look.triangles.insert(look.triangles.end(), face.mIndices, face.mIndices + 3);
   }
-
-  const aiScene& scene_;
-  const std::string& submesh_;
-  std::filesystem::path folder_;
-  std::vector<MeshLook> looks_;
-  std::size_t triangleCount_ = 0;
-  bool isTooLarge_ = false;
-  bool isFinite_ = true;
-};
+  return look;
+}
 
 /// Moves the centre of everything to the origin.
 void center(std::vector<MeshLook>& looks) {
@@ -144,13 +107,18 @@ std::variant<std::vector<MeshLook>, Problem> readMeshLook(const std::filesystem:
   const auto imported = importMesh(file, kNotDrawn, kLookSteps);
   if (const auto* problem = std::get_if<Problem>(&imported)) return *problem;
   const aiScene& scene = *std::get<ImportedScene>(imported);
-  LookCopier copier(scene, submesh, file.parent_path());
-  if (scene.mRootNode != nullptr) copier.copy(*scene.mRootNode, aiMatrix4x4(), 0);
-  if (copier.isTooLarge()) {
-    return Problem{"contains more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+  const auto placed = placedMeshes(scene, submesh);
+  if (const auto* problem = std::get_if<Problem>(&placed)) return *problem;
+  std::vector<MeshLook> looks;
+  for (const PlacedMesh& each : std::get<0>(placed)) {
+    std::optional<MeshLook> look = lookOf(each);
+    if (!look) return notFinite();
+    if (look->triangles.empty()) continue;
+    if (each.mesh->mMaterialIndex < scene.mNumMaterials) {
+      look->material = materialOf(*scene.mMaterials[each.mesh->mMaterialIndex], file.parent_path());
+    }
+    looks.push_back(std::move(*look));
   }
-  if (!copier.isFinite()) return Problem{"contains a coordinate that is not finite", {}};
-  std::vector<MeshLook> looks = copier.take();
   if (looks.empty()) return Problem{submesh.empty() ? "contains no triangles" : "has no submesh '" + submesh + "'", {}};
   if (isCentered && !submesh.empty()) center(looks);
   return looks;
