@@ -119,18 +119,19 @@ Workplace::Workplace(const FuelAddress& address, const fs::path& cache) {
   folder = root / (name + ".unpacked");
 }
 
-std::optional<Part> Part::read(const fs::path& file) {
+std::optional<PartialDownload> PartialDownload::read(const fs::path& file) {
   std::ifstream stream(file);
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   try {
-    return Part{json.at("version").get<int>(), json.at("validator").get<std::string>(), json.at("linked").get<bool>()};
+    return PartialDownload{json.at("version").get<int>(), json.at("validator").get<std::string>(),
+                           json.at("linked").get<bool>()};
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }
 
-void Part::write(const fs::path& file) const {
+void PartialDownload::write(const fs::path& file) const {
   const nlohmann::json json{{"version", version}, {"validator", validator}, {"linked", isLinked}};
   writeText(file, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

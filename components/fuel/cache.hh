@@ -38,14 +38,14 @@ struct Workplace {
   Workplace(const FuelAddress& address, const std::filesystem::path& cache);
 
   std::filesystem::path lock;
-  /// The partial zip file, and its description: see `Part`.
+  /// The partial zip file, and its description: see `PartialDownload`.
   std::filesystem::path zip;
   std::filesystem::path note;
   std::filesystem::path folder;
 };
 
 /// Description of a partially downloaded zip file.
-struct Part {
+struct PartialDownload {
   /// 0: unknown.
   int version = 0;
   /// An ETag that identifies the bytes on the server. Empty: it can't be continued.
@@ -54,7 +54,7 @@ struct Part {
   bool isLinked = false;
 
   /// @return Nothing if there is none, or it can't be read.
-  static std::optional<Part> read(const std::filesystem::path& file);
+  static std::optional<PartialDownload> read(const std::filesystem::path& file);
   void write(const std::filesystem::path& file) const;
 };
 

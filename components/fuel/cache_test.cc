@@ -52,16 +52,16 @@ TEST_F(Cache, HasItsWorkAside) {
 
 TEST_F(Cache, RemembersAPart) {
   const fs::path file = folder_.path() / "note";
-  EXPECT_FALSE(Part::read(file));
-  Part{3, "\"tag\"", true}.write(file);
-  const std::optional<Part> part = Part::read(file);
+  EXPECT_FALSE(PartialDownload::read(file));
+  PartialDownload{3, "\"tag\"", true}.write(file);
+  const std::optional<PartialDownload> part = PartialDownload::read(file);
   ASSERT_TRUE(part);
   EXPECT_EQ(part->version, 3);
   EXPECT_EQ(part->validator, "\"tag\"");
   EXPECT_TRUE(part->isLinked);
   for (const char* text : {"", "{", "[]", "{}", "{\"version\": \"x\", \"validator\": 1, \"linked\": 2}"}) {
     folder_.write("note", text);
-    EXPECT_FALSE(Part::read(file)) << text;
+    EXPECT_FALSE(PartialDownload::read(file)) << text;
   }
 }
 

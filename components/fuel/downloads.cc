@@ -195,7 +195,7 @@ Downloads::Downloads(const Settings& settings, const DownloadOptions& options, P
 std::vector<DownloadResult> Downloads::run(const std::vector<FuelAddress>& addresses) {
   Queue queue;
   for (const FuelAddress& address : addresses) queue.add(address, true);
-  std::vector<std::thread> threads;
+  std::vector<std::jthread> threads;
   try {
     for (std::size_t i = 1; i < options_.jobs; ++i) threads.emplace_back([&] { work(queue); });
   } catch (const std::system_error& error) {
@@ -203,7 +203,7 @@ std::vector<DownloadResult> Downloads::run(const std::vector<FuelAddress>& addre
                       " downloads at once: " + error.code().message());
   }
   work(queue);
-  for (std::thread& thread : threads) thread.join();
+  threads.clear();
   checkInterruption();
   if (queue.isTooMuch) {
     progress_.warning("more than " + std::to_string(kMostResources) +
@@ -321,7 +321,7 @@ void Downloads::loadZip(FuelServer& server, FuelAddress& address, const Workplac
 
 void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workplace& workplace) {
   const std::string name = nameOf(address);
-  const std::optional<Part> part = Part::read(workplace.note);
+  const std::optional<PartialDownload> part = PartialDownload::read(workplace.note);
   const bool isUsable = part && !part->validator.empty() && part->version == address.version.value_or(0);
   const std::uint64_t have = isUsable ? sizeOf(workplace.zip) : 0;
   std::optional<ZipFile> file;
@@ -344,7 +344,7 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
       throw Failure("its zip file has " + sizeText(length) + "; " + sizeText(kLargestZip) + " is the limit");
     file.emplace(workplace.zip);
     file->beginAt(goesOn ? have : 0);
-    Part{address.version.value_or(0), validatorOf(answer), isLinked}.write(workplace.note);
+    PartialDownload{address.version.value_or(0), validatorOf(answer), isLinked}.write(workplace.note);
     progress_.begin(name, goesOn ? have : 0, length == 0 ? 0 : length + (goesOn ? have : 0));
   };
   try {

@@ -1,6 +1,10 @@
 #include "fuel/downloads.hh"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
 
 #include "support/temp_folder.hh"
 #include "support/thread_limit.hh"
@@ -18,6 +22,27 @@ TEST(Downloads, KnowAModelByAllItsAddresses) {
   EXPECT_NE(keyOf("https://fuel.gazebosim.org/1.0/owner/models/a model/1"), key);
   EXPECT_NE(keyOf("https://fuel.gazebosim.org/1.0/owner/worlds/a model"), key);
   EXPECT_NE(keyOf("https://example.org/1.0/owner/models/a model"), key);
+}
+
+TEST(DownloadsDeathTest, GoOnWithTheThreadsThatCouldBeStarted) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more address space";
+#endif
+  const auto runWithoutMemory = [] {
+    std::ifstream statistics("/proc/self/statm");
+    rlim_t pages = 0;
+    statistics >> pages;
+    // enough for one more stack of 8 MiB, but not for fifteen
+    const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{24} << 20);
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_AS, &limit);
+    Progress progress(0, false);
+    DownloadOptions options;
+    options.jobs = 16;
+    const bool isDone = Downloads({}, options, progress).run({}).empty();
+    _exit(isDone ? 0 : 1);
+  };
+  EXPECT_EXIT(runWithoutMemory(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Downloads, SeeWhatAModelNeeds) {

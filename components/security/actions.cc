@@ -117,14 +117,14 @@ std::string dayOf(std::time_t time) {
 }
 
 /// An identity, or why it can't be used.
-struct Entry {
+struct ListedIdentity {
   std::string name;
   SecureIdentity identity;
   std::string error;
   std::string hint;
 };
 
-Entry entryOf(const fs::path& keystore, const std::string& name) {
+ListedIdentity listedIdentity(const fs::path& keystore, const std::string& name) {
   try {
     return {name, readIdentity((keystore / "enclaves" / name.substr(1)).string()), "", ""};
   } catch (const KeystoreError& error) {
@@ -145,7 +145,7 @@ std::string patternsOf(const SecureIdentity& identity, std::vector<std::string> 
   return text.empty() ? "no topic" : text;
 }
 
-std::string textOf(const Entry& entry) {
+std::string textOf(const ListedIdentity& entry) {
   if (!entry.error.empty()) {
     return entry.name + "\n  error:       " + entry.error +
            (entry.hint.empty() ? "\n" : "\n  hint:        " + entry.hint + "\n");
@@ -156,7 +156,7 @@ std::string textOf(const Entry& entry) {
          "\n  subscribes:  " + patternsOf(entry.identity, &TopicRule::subscribe) + "\n";
 }
 
-nlohmann::json jsonOf(const Entry& entry) {
+nlohmann::json jsonOf(const ListedIdentity& entry) {
   nlohmann::json object = {{"name", entry.name}};
   if (!entry.error.empty()) {
     object["error"] = entry.error;
@@ -244,7 +244,7 @@ int list(const Options& options) {
   std::string text;
   bool isFine = true;
   for (const std::string& name : identitiesOf(keystore)) {
-    const Entry entry = entryOf(keystore, name);
+    const ListedIdentity entry = listedIdentity(keystore, name);
     isFine = isFine && entry.error.empty();
     text += textOf(entry);
     array.push_back(jsonOf(entry));
