@@ -10,9 +10,9 @@ namespace pongsim::log {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{200};
-/// An upper limit: a stopped process does not answer.
-constexpr std::chrono::milliseconds kLookTime{300};
+constexpr std::chrono::milliseconds kDiscoveryInterval{200};
+/// Maximum duration of a discovery: a process that is stopped does not answer.
+constexpr std::chrono::milliseconds kDiscoveryTime{300};
 // in addition to the limit of 64 MiB per topic
 constexpr std::size_t kQueueLength = 20'000;
 
@@ -25,16 +25,16 @@ Recording::Recording(Transport& transport, Writer& writer, const TopicChoice& ch
 
 void Recording::goOn() {
   const Clock::time_point now = Clock::now();
-  if (now >= nextLook_) {
-    look();
-    nextLook_ = Clock::now() + kBetweenLooks;
+  if (now >= nextDiscovery_) {
+    discover();
+    nextDiscovery_ = Clock::now() + kDiscoveryInterval;
   }
-  transport_.dispatchFor(std::max<Clock::duration>(nextLook_ - now, std::chrono::milliseconds(1)));
+  transport_.dispatchFor(std::max<Clock::duration>(nextDiscovery_ - now, std::chrono::milliseconds(1)));
   if (failure_ != nullptr) std::rethrow_exception(failure_);
 }
 
-void Recording::look() {
-  for (const TopicInfo& topic : transport_.discover(kLookTime)) {
+void Recording::discover() {
+  for (const TopicInfo& topic : transport_.discover(kDiscoveryTime)) {
     if (!choice_.has(topic.name) || !isUseful(topic) || refused_.contains(topic.name)) continue;
     try {
       subscribe(topic.name);
@@ -66,7 +66,7 @@ void Recording::take(const std::string& topic, std::string_view type, std::span<
     writer_.write({std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), topic, type,
                    std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
     ++messages_;
-    heard_.insert(topic);
+    receivedTopics_.insert(topic);
   } catch (...) {
     // exceptions must not pass through the caller, which is the transport
     failure_ = std::current_exception();

@@ -33,15 +33,15 @@ class Recording {
 
   std::uint64_t messages() const { return messages_; }
   /// Number of topics with at least one message.
-  std::size_t topics() const { return heard_.size(); }
-  bool hasHeard(const std::string& topic) const { return heard_.contains(topic); }
+  std::size_t topics() const { return receivedTopics_.size(); }
+  bool hasHeard(const std::string& topic) const { return receivedTopics_.contains(topic); }
   /// @return Number of lost messages for each topic that lost any.
   std::map<std::string, std::uint64_t> lost() const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void look();
+  void discover();
   bool isUseful(const TopicInfo& topic) const;
   void subscribe(const std::string& topic);
   void take(const std::string& topic, std::string_view type, std::span<const std::byte> bytes);
@@ -50,9 +50,9 @@ class Recording {
   Writer& writer_;
   const TopicChoice& choice_;
   CanWrite canWrite_;
-  Clock::time_point nextLook_ = Clock::now();
+  Clock::time_point nextDiscovery_ = Clock::now();
   std::uint64_t messages_ = 0;
-  std::set<std::string> heard_;
+  std::set<std::string> receivedTopics_;
   /// Topics that the identity is not allowed to subscribe to.
   std::set<std::string> refused_;
   /// Why recording stopped.

@@ -34,20 +34,20 @@ EncodedWriter::EncodedWriter(const std::filesystem::path& path, McapOptions opti
               }) {}
 
 bool EncodedWriter::takes(std::string_view topic, std::string_view type) {
-  return entryFor(topic, type).encoder != nullptr;
+  return topicFor(topic, type).encoder != nullptr;
 }
 
-EncodedWriter::Entry& EncodedWriter::entryFor(std::string_view topic, std::string_view type) {
-  const auto found = entries_.find(std::tie(topic, type));
-  if (found != entries_.end()) return found->second;
-  Entry& entry = entries_[std::tuple(std::string(topic), std::string(type))];
+EncodedWriter::Topic& EncodedWriter::topicFor(std::string_view topic, std::string_view type) {
+  const auto found = topics_.find(std::tie(topic, type));
+  if (found != topics_.end()) return found->second;
+  Topic& known = topics_[std::tuple(std::string(topic), std::string(type))];
   auto opened = encoder_->openTopic(topic, type);
   if (auto* encoder = std::get_if<std::unique_ptr<TopicEncoder>>(&opened)) {
-    entry.encoder = std::move(*encoder);
+    known.encoder = std::move(*encoder);
   } else {
     leaveOut("'" + std::string(topic) + "'", std::get<std::string>(opened));
   }
-  return entry;
+  return known;
 }
 
 void EncodedWriter::leaveOut(const std::string& what, const std::string& why) {
@@ -56,12 +56,12 @@ void EncodedWriter::leaveOut(const std::string& what, const std::string& why) {
 }
 
 void EncodedWriter::write(const Record& record) {
-  Entry& entry = entryFor(record.topic, record.type);
-  if (entry.encoder == nullptr) return;
+  Topic& known = topicFor(record.topic, record.type);
+  if (known.encoder == nullptr) return;
   try {
-    entry.encoder->encode(std::as_bytes(std::span(record.payload)),
+    known.encoder->encode(std::as_bytes(std::span(record.payload)),
                           [&](std::size_t place, std::span<const std::byte> payload) {
-                            current_ = &entry.encoder->topics()[place];
+                            current_ = &known.encoder->topics()[place];
                             writer_.write({record.timeNs, current_->name, current_->type, textOf(payload)});
                             if (!written_.contains(current_->name)) written_.insert(current_->name);
                             ++messages_;
@@ -69,7 +69,7 @@ void EncodedWriter::write(const Record& record) {
   } catch (const Failure&) {
     throw;
   } catch (const std::runtime_error& damage) {
-    if (std::exchange(entry.isDamageSaid, true)) return;
+    if (std::exchange(known.isDamageSaid, true)) return;
     leaveOut("a message of '" + std::string(record.topic) + "'", damage.what());
   }
 }

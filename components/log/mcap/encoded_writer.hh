@@ -40,18 +40,18 @@ class EncodedWriter final : public Writer {
 
  private:
   /// State of one topic and type.
-  struct Entry {
+  struct Topic {
     /// Null if it is left out.
     std::unique_ptr<TopicEncoder> encoder;
     bool isDamageSaid = false;
   };
 
-  Entry& entryFor(std::string_view topic, std::string_view type);
+  Topic& topicFor(std::string_view topic, std::string_view type);
   void leaveOut(const std::string& what, const std::string& why);
 
   std::unique_ptr<MessageEncoder> encoder_;
   std::function<void(const std::string&)> warn_;
-  std::map<std::tuple<std::string, std::string>, Entry, std::less<>> entries_;
+  std::map<std::tuple<std::string, std::string>, Topic, std::less<>> topics_;
   /// The topic being written.
   const EncodedTopic* current_ = nullptr;
   std::set<std::string, std::less<>> written_;

@@ -1,5 +1,6 @@
 #include "log/mcap/mcap_writer.hh"
 
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -44,6 +45,8 @@ void McapWriter::write(const Record& record) {
   if (isClosing_) throw Failure("the file is closed");
   const bool isFirst = open_.isEmpty();
   const mcap::Channel& channel = channelFor(record);
+  // ids count from 1
+  assert(channel.id >= 1 && channel.id <= sequences_.size());
   const auto time = static_cast<std::uint64_t>(record.timeNs);
   open_.add(mcap::Message{channel.id, sequences_[channel.id - 1U]++, time, time, record.payload});
   if (isFirst) openSince_ = Clock::now();

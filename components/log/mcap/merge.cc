@@ -1,6 +1,7 @@
 #include "log/mcap/merge.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "log/mcap/record_archive.hh"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostLoaded = std::size_t{512} << 20U;
 // with a total of 2 GiB
-constexpr std::size_t kMostEntries = std::size_t{1} << 26U;
+constexpr std::size_t kMostQueued = std::size_t{1} << 26U;
 
 }  // namespace
 
@@ -27,33 +28,32 @@ Merge::Merge(const InputFile& file, const std::vector<Block>& blocks, std::uint6
 
 std::optional<mcap::Message> Merge::next() {
   if (used_) forget(*std::exchange(used_, std::nullopt));
-  while (nextBlock_ < order_.size() &&
-         (entries_.empty() || blocks_[order_[nextBlock_]].startTime <= entries_.top().time)) {
+  while (nextBlock_ < order_.size() && (queue_.empty() || blocks_[order_[nextBlock_]].startTime <= queue_.top().time)) {
     load(order_[nextBlock_++]);
   }
-  if (entries_.empty()) return std::nullopt;
-  const Entry entry = entries_.top();
-  entries_.pop();
-  used_ = entry.block;
-  const UnpackedBlock& block = unpacked(entry.block);
-  ByteReader fields(std::string_view(block.records).substr(entry.offset, entry.length), 0, "message");
+  if (queue_.empty()) return std::nullopt;
+  const QueuedMessage first = queue_.top();
+  queue_.pop();
+  used_ = first.block;
+  const UnpackedBlock& block = unpacked(first.block);
+  ByteReader fields(std::string_view(block.records).substr(first.offset, first.length), 0, "message");
   return mcap::readRecord<mcap::Message>(fields);
 }
 
 void Merge::load(std::size_t block) {
-  const std::size_t before = entries_.size();
+  const std::size_t before = queue_.size();
   UnpackedBlock unpacked = unpackBlock(file_, blocks_[block]);
   forEachRecord(unpacked, [&](const RecordPlace& record, ByteReader& fields) {
     if (record.opcode != mcap::Opcode::kMessage) return;
     const mcap::Message message = mcap::readRecord<mcap::Message>(fields);
     if (!isWanted_(message.channelId, message.logTime)) return;
-    entries_.push({message.logTime, block, record.offset + mcap::kRecordHead, record.content.size()});
+    queue_.push({message.logTime, block, record.offset + mcap::kRecordHead, record.content.size()});
   });
-  if (entries_.size() > kMostEntries) {
-    throw Failure(atByte(blocks_[block].offset, "more than " + std::to_string(kMostEntries) +
+  if (queue_.size() > kMostQueued) {
+    throw Failure(atByte(blocks_[block].offset, "more than " + std::to_string(kMostQueued) +
                                                     " messages overlap in time, in chunks up to this one"));
   }
-  const std::size_t wanted = entries_.size() - before;
+  const std::size_t wanted = queue_.size() - before;
   if (wanted == 0) return;
   loadedSize_ += unpacked.records.size();
   loaded_[block] = {std::move(unpacked), wanted};
@@ -77,6 +77,7 @@ const UnpackedBlock& Merge::unpacked(std::size_t block) {
 /// A message of the block has been returned.
 void Merge::forget(std::size_t block) {
   const auto found = loaded_.find(block);
+  assert(found != loaded_.end() && found->second.wanted > 0);
   if (--found->second.wanted > 0) return;
   loadedSize_ -= found->second.unpacked.records.size();
   loaded_.erase(found);

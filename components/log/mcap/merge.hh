@@ -27,18 +27,18 @@ class Merge {
   std::optional<mcap::Message> next();
 
  private:
-  struct Entry {
+  struct QueuedMessage {
     std::uint64_t time = 0;
     /// Index in `blocks_`.
     std::size_t block = 0;
     /// Offset of the record's content in the block's uncompressed records.
     std::uint64_t offset = 0;
     std::uint64_t length = 0;
-    auto operator<=>(const Entry&) const = default;
+    auto operator<=>(const QueuedMessage&) const = default;
   };
   struct Loaded {
     UnpackedBlock unpacked;
-    /// Number of entries not returned yet.
+    /// Number of messages not returned yet.
     std::size_t wanted = 0;
   };
 
@@ -52,7 +52,7 @@ class Merge {
   /// Sorted by the blocks' start times.
   std::vector<std::size_t> order_;
   std::size_t nextBlock_ = 0;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
+  std::priority_queue<QueuedMessage, std::vector<QueuedMessage>, std::greater<>> queue_;
   std::map<std::size_t, Loaded> loaded_;
   std::size_t loadedSize_ = 0;
   /// The block of the last returned message.

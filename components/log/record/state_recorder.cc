@@ -17,8 +17,8 @@ constexpr std::chrono::milliseconds kLongestWait{50};
 }  // namespace
 
 StateRecorder::StateRecorder(const Scene& scene, Writer& writer, std::string topic,
-                             std::function<void(const Message&)> cameOrWent)
-    : watch_(scene), writer_(writer), topic_(std::move(topic)), cameOrWent_(std::move(cameOrWent)) {
+                             std::function<void(const Message&)> entitiesChanged)
+    : watch_(scene), writer_(writer), topic_(std::move(topic)), entitiesChanged_(std::move(entitiesChanged)) {
   for (std::size_t i = 0; i < kMostWaiting; ++i) free_.push_back(std::make_unique<StateSnapshot>());
   thread_ = std::thread([this] { work(); });
 }
@@ -35,8 +35,8 @@ void StateRecorder::record() {
   std::unique_ptr<StateSnapshot> snapshot;
   {
     std::unique_lock lock(mutex_);
-    if (free_.empty()) given_.notify_one();
-    taken_.wait(lock, [this] { return failure_ || !free_.empty(); });
+    if (free_.empty()) hasWork_.notify_one();
+    hasRoom_.wait(lock, [this] { return failure_ || !free_.empty(); });
     if (failure_) throw *failure_;
     snapshot = std::move(free_.back());
     free_.pop_back();
@@ -44,7 +44,7 @@ void StateRecorder::record() {
   watch_.take(*snapshot);
   const std::lock_guard lock(mutex_);
   waiting_.push_back(std::move(snapshot));
-  if (waiting_.size() == kWorthWaking) given_.notify_one();
+  if (waiting_.size() == kWorthWaking) hasWork_.notify_one();
 }
 
 void StateRecorder::finish() {
@@ -53,7 +53,7 @@ void StateRecorder::finish() {
       const std::lock_guard lock(mutex_);
       isFinishing_ = true;
     }
-    given_.notify_one();
+    hasWork_.notify_one();
     thread_.join();
   }
   if (failure_) throw *failure_;
@@ -65,7 +65,7 @@ void StateRecorder::work() {
   std::string bytes;
   std::unique_lock lock(mutex_);
   while (true) {
-    given_.wait_for(lock, kLongestWait, [this] { return isFinishing_ || waiting_.size() >= kWorthWaking; });
+    hasWork_.wait_for(lock, kLongestWait, [this] { return isFinishing_ || waiting_.size() >= kWorthWaking; });
     if (waiting_.empty() && isFinishing_) return;
     while (!waiting_.empty()) {
       std::unique_ptr<StateSnapshot> snapshot = std::move(waiting_.front());
@@ -73,20 +73,22 @@ void StateRecorder::work() {
       lock.unlock();
       std::optional<Failure> failure;
       try {
-        if (snapshot->everything) cameOrWent_(*snapshot->everything);
+        if (snapshot->everything) entitiesChanged_(*snapshot->everything);
         if (changes.tell(*snapshot, *message)) {
           message->SerializeToString(&bytes);
           writer_.write({snapshot->time.count(), topic_, "ignition.msgs.SerializedStateMap", bytes});
         }
       } catch (const Failure& why) {
         failure = why;
+      } catch (const std::exception& why) {
+        failure = Failure(why.what());
       }
       lock.lock();
       free_.push_back(std::move(snapshot));
-      taken_.notify_one();
+      hasRoom_.notify_one();
       if (!failure) continue;
       failure_ = failure;
-      taken_.notify_all();
+      hasRoom_.notify_all();
       return;
     }
   }

@@ -24,9 +24,10 @@ class StateRecorder {
  public:
   /// @param writer Must outlive it; others can write to it too.
   /// @param topic Topic of the states, "/world/W/changed_state".
-  /// @param cameOrWent Called on its thread with each state that adds or removes entities, an
+  /// @param entitiesChanged Called on its thread with each state that adds or removes entities, an
   /// ignition.msgs.SerializedStepMap.
-  StateRecorder(const Scene& scene, Writer& writer, std::string topic, std::function<void(const Message&)> cameOrWent);
+  StateRecorder(const Scene& scene, Writer& writer, std::string topic,
+                std::function<void(const Message&)> entitiesChanged);
   ~StateRecorder();
   StateRecorder(const StateRecorder&) = delete;
   StateRecorder& operator=(const StateRecorder&) = delete;
@@ -35,11 +36,10 @@ class StateRecorder {
   bool hasNews() const { return watch_.hasNews(); }
 
   /// Records the current state. Blocks only if the writer is 64 states behind.
-  /// @throws Failure if the writer has failed.
+  /// @throws Failure if the writer or `entitiesChanged` has failed; the same below.
   void record();
 
   /// Waits until everything has been passed to the writer.
-  /// @throws Failure if the writer has failed.
   void finish();
 
  private:
@@ -48,9 +48,9 @@ class StateRecorder {
   StateWatch watch_;
   Writer& writer_;
   const std::string topic_;
-  const std::function<void(const Message&)> cameOrWent_;
+  const std::function<void(const Message&)> entitiesChanged_;
   std::mutex mutex_;
-  std::condition_variable given_, taken_;
+  std::condition_variable hasWork_, hasRoom_;
   /// Snapshots waiting to be written, and free ones.
   std::deque<std::unique_ptr<StateSnapshot>> waiting_;
   std::vector<std::unique_ptr<StateSnapshot>> free_;

@@ -40,7 +40,7 @@ void TopicRecorder::update(Time now) {
         expressions_, [&](const TopicExpression& expression) { return expression.matches(topic.name); });
     if (isWanted && !subscriptions_.contains(topic.name)) subscribe(topic.name);
   }
-  // once our own topics exist
+  // read again, because our own subscriptions have changed it
   version_ = node_.ownTopicsVersion();
 }
 

@@ -14,14 +14,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The folders in use by this process, keyed by the request.
-struct Open {
+struct OpenFolders {
   std::mutex mutex;
   std::map<std::pair<std::string, std::string>, std::weak_ptr<WorldsFolder>> folders;
 };
 
 /// Never destroyed, because a recording may end during the exit of the process.
-Open& openFolders() {
-  static Open& open = *std::make_unique<Open>().release();
+OpenFolders& openFolders() {
+  static OpenFolders& open = *std::make_unique<OpenFolders>().release();
   return open;
 }
 
@@ -34,7 +34,7 @@ std::string folderName(std::string_view world) {
 }  // namespace
 
 std::shared_ptr<WorldsFolder> WorldsFolder::join(const std::string& wanted, const std::string& zip, WhereTaken where) {
-  Open& open = openFolders();
+  OpenFolders& open = openFolders();
   const std::lock_guard lock(open.mutex);
   std::weak_ptr<WorldsFolder>& place = open.folders[{wanted, zip}];
   if (auto there = place.lock()) return there;
@@ -49,10 +49,10 @@ RecordFolder WorldsFolder::folderOf(std::string_view world) const {
 }
 
 void WorldsFolder::leave(std::shared_ptr<WorldsFolder> folder, bool mustPack) {
-  Open& open = openFolders();
+  OpenFolders& open = openFolders();
   const std::lock_guard lock(open.mutex);
   if (folder.use_count() > 1) {
-    // released under the lock: of several that leave at the same time, one is the last
+    // under the lock: else several that leave at the same time would each see the other, and none would pack
     folder.reset();
     return;
   }

@@ -58,7 +58,7 @@ class RecordSystem final : public System {
   std::optional<Publisher> sdfPublisher_;
   bool isRecording_ = false;
   std::optional<Time> last_;
-  // each writes to the one before it
+  // last: both recorders write to the writer, and are destroyed before it
   std::unique_ptr<TlogWriter> writer_;
   std::optional<TopicRecorder> topicRecorder_;
   std::optional<StateRecorder> stateRecorder_;

@@ -111,19 +111,19 @@ class Tables {
 
 /// Queued records, with their bytes concatenated.
 struct Batch {
-  struct Entry {
+  struct Row {
     std::int64_t timeNs;
     std::size_t topic;
     std::size_t begin;
     std::size_t size;
   };
-  std::vector<Entry> entries;
+  std::vector<Row> rows;
   std::string bytes;
   /// New topics: name and type.
   std::vector<std::pair<std::string, std::string>> topics;
 
   void clear() {
-    entries.clear();
+    rows.clear();
     bytes.clear();
     topics.clear();
   }
@@ -156,16 +156,15 @@ struct TlogWriter::Parts {
                    [this] { return isClosing || waiting.bytes.size() >= kMostWaitingBytes / 2; });
     std::swap(batch, waiting);
     taken.notify_all();
-    return !isClosing || !batch.entries.empty();
+    return !isClosing || !batch.rows.empty();
   }
 
   void write(const Batch& batch) {
-    if (batch.entries.empty()) return;
+    if (batch.rows.empty()) return;
     tables.begin();
     for (const auto& [name, type] : batch.topics) topicIds.push_back(tables.addTopic(name, type));
-    for (const Batch::Entry& entry : batch.entries) {
-      tables.addMessage(entry.timeNs, topicIds[entry.topic],
-                        std::string_view(batch.bytes).substr(entry.begin, entry.size));
+    for (const Batch::Row& row : batch.rows) {
+      tables.addMessage(row.timeNs, topicIds[row.topic], std::string_view(batch.bytes).substr(row.begin, row.size));
     }
     tables.commit();
   }
@@ -221,7 +220,7 @@ void TlogWriter::write(const Record& record) {
   name.assign(record.topic).append("\n").append(record.type);
   const auto [known, isNew] = parts_->numbers.try_emplace(name, parts_->numbers.size());
   if (isNew) waiting.topics.emplace_back(record.topic, record.type);
-  waiting.entries.push_back({record.timeNs, known->second, waiting.bytes.size(), record.payload.size()});
+  waiting.rows.push_back({record.timeNs, known->second, waiting.bytes.size(), record.payload.size()});
   waiting.bytes += record.payload;
   if (waiting.bytes.size() >= kMostWaitingBytes / 2) parts_->given.notify_one();
 }
