@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "ros2/pairs/pairs.hh"
+#include "ros2/robot/robot_list.hh"
+#include "ros2/robot/transforms.hh"
 #include "support/process.hh"
 #include "support/ros2/robot_world.hh"
 #include "support/test_domain.hh"
@@ -201,6 +203,39 @@ TEST_F(RobotsTest, CallTheBaseAsItsOdometryDoesToo) {
   const Tree found = tree();
   EXPECT_EQ(found.roots(), std::set<std::string>{"odom"});
   EXPECT_EQ(found.transforms.at("base_footprint").header.frame_id, "v/chassis");
+}
+
+TEST_F(RobotsTest, AreNotMistakenForRemovedOnesAtTheSameAddress) {
+  const std::string topic = "<tf_topic>/odometry</tf_topic>";
+  run(vehicle("v", topic + "<child_frame_id>base_footprint</child_frame_id>"));
+  robots_.reset();
+  hearTransforms();
+  RobotList list(simulation_->world(), {}, {});
+  list.update();
+  Transforms transforms(*node_, ros_, {}, {});
+  transforms.follow(list.robots(), list.fixtures());
+  const auto stepUntilThere = [&](const Words& frames) {
+    const auto end = std::chrono::steady_clock::now() + pongsim::test::kDeadline;
+    while (!tree().hasFrames(frames)) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      transforms.preUpdate(simulation_->time());
+      simulation_->step();
+      transforms.postUpdate(simulation_->time());
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    return true;
+  };
+  ASSERT_TRUE(stepUntilThere({"v/chassis", "base_footprint"}));
+  // another robot gets its place in memory, and its topic
+  Diagnostics diagnostics;
+  ASSERT_EQ(simulation_->remove(simulation_->world().model("v").value()), std::nullopt);
+  ASSERT_TRUE(simulation_->insertText("<sdf version='1.9'>" + vehicle("u", topic) + "</sdf>", "u", {}, diagnostics));
+  RobotList others(simulation_->world(), {}, {});
+  others.update();
+  list.robots().front() = others.robots().front();
+  transforms.follow(list.robots(), list.fixtures());
+  ASSERT_TRUE(stepUntilThere({"u/chassis", "u/chassis/imu"}));
+  EXPECT_EQ(tree().parents.at("base_footprint"), std::set<std::string>{"v/chassis"});
 }
 
 TEST_F(RobotsTest, LeaveToARuleWhatItBringsToTf) {

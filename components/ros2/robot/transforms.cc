@@ -56,12 +56,14 @@ Transforms::Transforms(const Node& simulation, RosNode& ros, const Settings& set
 
 void Transforms::follow(std::list<Robot>& robots, const std::list<Fixture>& fixtures) {
   fixtures_ = &fixtures;
-  // old entries are only compared by address, because their robots may no longer exist
-  std::set<const Robot*> there;
-  for (const Robot& robot : robots) there.insert(&robot);
-  std::erase_if(robots_, [&there](const RobotFrames& frames) { return there.erase(frames.robot) == 0; });
+  std::map<ModelId, Robot*> added;
+  for (Robot& robot : robots) added.emplace(robot.model.id(), &robot);
+  std::erase_if(robots_, [&added](const RobotFrames& frames) { return added.erase(frames.model) == 0; });
   for (Robot& robot : robots) {
-    if (there.contains(&robot)) robots_.emplace_back().robot = &robot;
+    if (!added.contains(robot.model.id())) continue;
+    RobotFrames& frames = robots_.emplace_back();
+    frames.model = robot.model.id();
+    frames.robot = &robot;
   }
   topicsVersion_ = simulation_.ownTopicsVersion() - 1;
   mustRebuild_ = true;
@@ -75,12 +77,12 @@ void Transforms::preUpdate(Time now) {
   }
   if (readersVersion_.load(std::memory_order_relaxed) != knownReaders_) {
     knownReaders_ = readersVersion_;
-    listen();
+    subscribe();
   }
-  if (!mustRebuild_ && !mustTellStatic_) return;
+  if (!mustRebuild_ && !mustPublishStatic_) return;
   if (!isRead()) return;
   if (mustRebuild_) rebuild();
-  if (mustTellStatic_ && static_.publisher->hasReaders()) tellStatic(now);
+  if (mustPublishStatic_ && static_.publisher->hasReaders()) publishStatic(now);
 }
 
 void Transforms::followTopics() {
@@ -89,27 +91,28 @@ void Transforms::followTopics() {
   for (RobotFrames& frames : robots_) {
     std::string topic = odometryTopic(frames.robot->model, topics);
     if (topic == frames.odometry) continue;
-    frames.heard = {};
+    frames.subscription = {};
     frames.odometry = std::move(topic);
     frames.odometryFrame.clear();
     frames.alias.clear();
-    frames.isElsewhere = std::ranges::any_of(
-        foreign_, [&frames](const Foreign& foreign) { return !foreign.isTold && foreign.topic == frames.odometry; });
+    frames.isElsewhere = std::ranges::any_of(foreign_, [&frames](const Foreign& foreign) {
+      return !foreign.isPublishedHere && foreign.topic == frames.odometry;
+    });
     mustRebuild_ = true;
   }
-  listen();
+  subscribe();
 }
 
 void Transforms::followForeign(const std::vector<OwnTopic>& topics) {
-  const auto add = [this](const std::string& topic, bool isStatic, bool isTold) {
+  const auto add = [this](const std::string& topic, bool isStatic, bool isPublishedHere) {
     const bool isKnown = std::ranges::any_of(foreign_, [&](const Foreign& known) {
-      return known.topic == topic && known.isStatic == isStatic && known.isTold == isTold;
+      return known.topic == topic && known.isStatic == isStatic && known.isPublishedHere == isPublishedHere;
     });
     if (isKnown) return;
     Foreign& foreign = foreign_.emplace_back();
     foreign.topic = topic;
     foreign.isStatic = isStatic;
-    foreign.isTold = isTold;
+    foreign.isPublishedHere = isPublishedHere;
   };
   for (const TopicRule& rule : settings_.rules) {
     if (rule.pair == nullptr || rule.pair->ignition != "ignition.msgs.Pose_V") continue;
@@ -121,43 +124,44 @@ void Transforms::followForeign(const std::vector<OwnTopic>& topics) {
   for (const OwnTopic& topic : topics) {
     const bool isStatic = topic.name == kStaticTransforms;
     if ((!isStatic && topic.name != kTransforms) || topic.type != "ignition.msgs.Pose_V") continue;
-    // a topic with a rule is not bridged twice
+    // skips a topic that a rule bridges
     const bool hasRule = std::ranges::any_of(
-        foreign_, [&topic](const Foreign& known) { return !known.isTold && known.topic == topic.name; });
+        foreign_, [&topic](const Foreign& known) { return !known.isPublishedHere && known.topic == topic.name; });
     if (topic.publishers > 0 && !hasRule) add(topic.name, isStatic, true);
   }
 }
 
-void Transforms::listen() {
+void Transforms::subscribe() {
   const bool isWanted = isRead();
   for (RobotFrames& frames : robots_) {
     if (!isWanted || frames.odometry.empty()) {
-      frames.heard = {};
-    } else if (!frames.heard) {
-      frames.heard = simulation_.subscribeAtOnce(frames.odometry, "ignition.msgs.Pose_V",
-                                                 [this, &frames](const pongsim::Message& message, const Bulk*) {
-                                                   hearOdometry(frames, static_cast<const Message&>(message));
-                                                 },
-                                                 {.relays = true});
+      frames.subscription = {};
+    } else if (!frames.subscription) {
+      frames.subscription = simulation_.subscribeAtOnce(frames.odometry, "ignition.msgs.Pose_V",
+                                                        [this, &frames](const pongsim::Message& message, const Bulk*) {
+                                                          receiveOdometry(frames, static_cast<const Message&>(message));
+                                                        },
+                                                        {.relays = true});
     }
   }
   for (Foreign& foreign : foreign_) {
-    // static transforms are published once, so subscribe before there are readers
+    // static transforms are published once: subscribes to them even without readers
     if (!isWanted && !foreign.isStatic) {
-      foreign.heard = {};
-    } else if (!foreign.heard) {
-      foreign.heard = simulation_.subscribeAtOnce(foreign.topic, "ignition.msgs.Pose_V",
-                                                  [this, &foreign](const pongsim::Message& message, const Bulk*) {
-                                                    hearForeign(foreign, static_cast<const Message&>(message));
-                                                  },
-                                                  {.relays = true});
+      foreign.subscription = {};
+    } else if (!foreign.subscription) {
+      foreign.subscription =
+          simulation_.subscribeAtOnce(foreign.topic, "ignition.msgs.Pose_V",
+                                      [this, &foreign](const pongsim::Message& message, const Bulk*) {
+                                        receiveForeign(foreign, static_cast<const Message&>(message));
+                                      },
+                                      {.relays = true});
     }
   }
 }
 
 void Transforms::rebuild() {
   mustRebuild_ = false;
-  mustTellStatic_ = true;
+  mustPublishStatic_ = true;
   static_.message.transforms.clear();
   moving_.message.transforms.clear();
   movingFrames_.clear();
@@ -173,7 +177,8 @@ void Transforms::rebuild() {
   }
 }
 
-/// @return Whether the frame had no parent so far. From now on it has one.
+/// Marks the frame as one that has a parent.
+/// @return Whether it had none before.
 bool Transforms::claim(const std::string& child) {
   return !foreignChildren_.contains(child) && children_.insert(child).second;
 }
@@ -221,24 +226,24 @@ bool Transforms::isAbout(const RobotFrames& frames, const std::string& parent, c
   const std::string name = frames_.toRos(robot.name);
   if (parent.empty() || child.empty() || parent == name || robot.tree.find(parent)) return false;
   if (robot.tree.find(child) || child == name || child.starts_with(name + "/")) return true;
-  // if no other robot shares the topic, any name refers to this robot
+  // on a topic that only this robot uses, any name refers to it
   return std::ranges::count(robots_, frames.odometry, &RobotFrames::odometry) == 1;
 }
 
-void Transforms::hearOdometry(RobotFrames& frames, const Message& message) {
-  // the world's systems publish on the simulation's thread; publishers on other threads do not know the links' poses
+void Transforms::receiveOdometry(RobotFrames& frames, const Message& message) {
+  // other threads must not read the links' poses; the odometry of the world's systems is published on this one
   if (std::this_thread::get_id() != thread_) return;
   const Robot& robot = *frames.robot;
-  // a robot attached to the world has no odometry, whatever is published
+  // a robot attached to the world does not move: its odometry is ignored
   if (robot.tree.links.empty() || (!robot.tree.links.front().link && robot.model.urdf() == nullptr)) return;
   for (const auto& pose : message.pose()) {
-    geometry_msgs::TransformStamped told;
-    convert(pose, told, frames_);
-    if (!isAbout(frames, told.header.frame_id, told.child_frame_id)) continue;
-    std::optional<std::size_t> base = robot.tree.find(told.child_frame_id);
-    const std::string alias = base ? "" : told.child_frame_id;
-    if (frames.odometryFrame != told.header.frame_id || frames.alias != alias) {
-      frames.odometryFrame = told.header.frame_id;
+    geometry_msgs::TransformStamped X_OdometryBase;
+    convert(pose, X_OdometryBase, frames_);
+    if (!isAbout(frames, X_OdometryBase.header.frame_id, X_OdometryBase.child_frame_id)) continue;
+    std::optional<std::size_t> base = robot.tree.find(X_OdometryBase.child_frame_id);
+    const std::string alias = base ? "" : X_OdometryBase.child_frame_id;
+    if (frames.odometryFrame != X_OdometryBase.header.frame_id || frames.alias != alias) {
+      frames.odometryFrame = X_OdometryBase.header.frame_id;
       frames.alias = alias;
       mustRebuild_ = true;
     }
@@ -247,19 +252,19 @@ void Transforms::hearOdometry(RobotFrames& frames, const Message& message) {
       const std::optional<Link> canonical = robot.model.canonicalLink();
       base = (canonical ? robot.tree.find(canonical->id()) : std::nullopt).value_or(0);
     }
-    const Pose X_OdometryRoot = poseOf(told.transform) * robot.tree.poseInRoot(*base, robot.model).inverse();
-    const bool isTrue = robotSettings_.groundTruth == "always" && told.header.frame_id != world_;
+    const Pose X_OdometryRoot = poseOf(X_OdometryBase.transform) * robot.tree.poseInRoot(*base, robot.model).inverse();
+    const bool isTrue = robotSettings_.groundTruth == "always" && X_OdometryBase.header.frame_id != world_;
     frames.message.transforms.resize(isTrue ? 2 : 1);
     if (isTrue) {
       geometry_msgs::TransformStamped& truth = frames.message.transforms[1];
-      truth.header.stamp = told.header.stamp;
+      truth.header.stamp = X_OdometryBase.header.stamp;
       truth.header.frame_id = world_;
-      truth.child_frame_id = told.header.frame_id;
+      truth.child_frame_id = X_OdometryBase.header.frame_id;
       setTransform(robot.tree.rootPose(robot.model) * X_OdometryRoot.inverse(), truth.transform);
     }
-    told.child_frame_id = robot.tree.links.front().frame;
-    if (*base != 0) setTransform(X_OdometryRoot, told.transform);
-    frames.message.transforms[0] = std::move(told);
+    X_OdometryBase.child_frame_id = robot.tree.links.front().frame;
+    if (*base != 0) setTransform(X_OdometryRoot, X_OdometryBase.transform);
+    frames.message.transforms[0] = std::move(X_OdometryBase);
     if (moving_.publisher->hasReaders()) moving_.publisher->publish(frames.message);
     return;
   }
@@ -271,14 +276,14 @@ bool Transforms::isOdometry(const std::string& topic, const geometry_msgs::Trans
   });
 }
 
-void Transforms::hearForeign(Foreign& foreign, const Message& message) {
+void Transforms::receiveForeign(Foreign& foreign, const Message& message) {
   if (std::this_thread::get_id() != thread_) return;
-  tf2_msgs::TFMessage told;
+  tf2_msgs::TFMessage passedOn;
   for (const auto& pose : message.pose()) {
     geometry_msgs::TransformStamped transform;
     convert(pose, transform, frames_);
     if (transform.child_frame_id.empty()) continue;
-    if (!foreign.isTold) {
+    if (!foreign.isPublishedHere) {
       mustRebuild_ |= foreignChildren_.insert(transform.child_frame_id).second;
     } else if (foreign.isStatic) {
       geometry_msgs::TransformStamped& known = foreignStatic_[transform.child_frame_id];
@@ -286,14 +291,14 @@ void Transforms::hearForeign(Foreign& foreign, const Message& message) {
       known = std::move(transform);
       mustRebuild_ = true;
     } else if (!children_.contains(transform.child_frame_id) && !isOdometry(foreign.topic, transform)) {
-      told.transforms.push_back(std::move(transform));
+      passedOn.transforms.push_back(std::move(transform));
     }
   }
-  if (!told.transforms.empty() && moving_.publisher->hasReaders()) moving_.publisher->publish(told);
+  if (!passedOn.transforms.empty() && moving_.publisher->hasReaders()) moving_.publisher->publish(passedOn);
 }
 
-void Transforms::tellStatic(Time now) {
-  mustTellStatic_ = false;
+void Transforms::publishStatic(Time now) {
+  mustPublishStatic_ = false;
   for (geometry_msgs::TransformStamped& transform : static_.message.transforms) {
     transform.header.stamp = stampOf(now, frames_);
   }

@@ -48,6 +48,8 @@ class Transforms {
   using Message = ignition::msgs::Pose_V;
   /// What is known from a robot's odometry.
   struct RobotFrames {
+    /// Identifies the robot: another one may get its place in memory.
+    ModelId model;
     Robot* robot = nullptr;
     /// Topic in the simulation; empty if there is none.
     std::string odometry;
@@ -58,7 +60,7 @@ class Transforms {
     /// The odometry's name for the robot's frame, if no link has that name.
     std::string alias;
     tf2_msgs::TFMessage message;
-    Subscription heard;
+    Subscription subscription;
   };
   /// A transform on /tf that is computed each time.
   struct Moving {
@@ -71,28 +73,28 @@ class Transforms {
     std::string topic;
     bool isStatic = false;
     /// Whether it is published here, and not by a rule.
-    bool isTold = false;
-    Subscription heard;
+    bool isPublishedHere = false;
+    Subscription subscription;
   };
 
-  /// A ROS topic.
-  struct Way {
+  /// A topic with transforms, and the message for it.
+  struct TransformTopic {
     std::unique_ptr<RosPublisher> publisher;
     tf2_msgs::TFMessage message;
   };
 
   void followTopics();
   void followForeign(const std::vector<OwnTopic>& topics);
-  void listen();
+  void subscribe();
   void rebuild();
   void addTree(RobotFrames& frames);
   void addStatic(const std::string& parent, const std::string& child, const Pose& X_ParentChild);
   bool claim(const std::string& child);
-  void hearOdometry(RobotFrames& frames, const Message& message);
+  void receiveOdometry(RobotFrames& frames, const Message& message);
   bool isOdometry(const std::string& topic, const geometry_msgs::TransformStamped& transform) const;
   bool isAbout(const RobotFrames& frames, const std::string& parent, const std::string& child) const;
-  void hearForeign(Foreign& foreign, const Message& message);
-  void tellStatic(Time now);
+  void receiveForeign(Foreign& foreign, const Message& message);
+  void publishStatic(Time now);
   bool isRead() const { return moving_.publisher->hasReaders() || static_.publisher->hasReaders(); }
 
   Node simulation_;
@@ -102,12 +104,12 @@ class Transforms {
   Frames frames_;
   std::string world_;
   std::atomic<std::uint64_t> readersVersion_ = 1;
-  Way moving_;
-  Way static_;
+  TransformTopic moving_;
+  TransformTopic static_;
   std::uint64_t knownReaders_ = 0;
   std::uint64_t topicsVersion_ = 0;
   bool mustRebuild_ = true;
-  bool mustTellStatic_ = false;
+  bool mustPublishStatic_ = false;
   std::list<RobotFrames> robots_;
   const std::list<Fixture>* fixtures_ = nullptr;
   std::list<Foreign> foreign_;
