@@ -16,19 +16,19 @@ constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
 
 }  // namespace
 
-struct Bridge::Entry {
+struct Bridge::BridgedTopic {
   TopicRule rule;
   bool isLatched = false;
   /// Whether ROS messages are passed to the simulation, now or as soon as it subscribes.
   bool isFromRosWanted = false;
   std::atomic<std::uint64_t> refused = 0;
 
-  ToRos toRos;
+  std::unique_ptr<ToRos> toRos;
   std::unique_ptr<RosPublisher> publisher;
-  ToIgnition toIgnition;
+  std::unique_ptr<ToIgnition> toIgnition;
   Publisher toSimulation;
-  // destroyed first, because they use the others
-  Subscription heard;
+  // last, so that they are destroyed first: they call the others
+  Subscription fromSimulation;
   std::unique_ptr<RosSubscription> subscription;
 };
 
@@ -52,22 +52,22 @@ void Bridge::update() {
     followReaders();
   }
   mismatches_.update(topicsVersion_, [this] { return offers(); });
-  if (hasLazyReaders_) followListeners();
+  if (hasLazyReaders_) followSubscribers();
 }
 
 void Bridge::followTopics() {
   const RosNode::Quiet quiet(ros_);
   const std::vector<OwnTopic> topics = simulation_.ownTopics();
   followRules(topics);
-  for (Entry& entry : entries_) {
+  for (BridgedTopic& bridged : bridged_) {
     const bool isOfRule = std::ranges::any_of(settings_.rules, [&](const TopicRule& rule) {
-      return rule.ignition == entry.rule.ignition && rule.pair == entry.rule.pair && rule.ros == entry.rule.ros;
+      return rule.ignition == bridged.rule.ignition && rule.pair == bridged.rule.pair && rule.ros == bridged.rule.ros;
     });
     if (isOfRule) continue;
     const bool isThere = settings_.bridgesAll && std::ranges::any_of(topics, [&](const OwnTopic& topic) {
-                           return topic.name == entry.rule.ignition && topic.type == entry.rule.pair->ignition;
+                           return topic.name == bridged.rule.ignition && topic.type == bridged.rule.pair->ignition;
                          });
-    if (!isThere) want(entry, {});
+    if (!isThere) want(bridged, {});
   }
   for (const OwnTopic& topic : topics) {
     const bool hasRule = std::ranges::any_of(settings_.rules, [&](const TopicRule& rule) {
@@ -83,10 +83,10 @@ void Bridge::followTopics() {
     }
     rule.pair = pair;
     if (reserved_.contains(rule.ros) || isTakenByRule(rule)) continue;
-    Entry* entry = entryFor(rule);
-    if (entry == nullptr) continue;
+    BridgedTopic* bridged = bridgedTopic(rule);
+    if (bridged == nullptr) continue;
     try {
-      want(*entry, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
+      want(*bridged, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
     } catch (const std::runtime_error& error) {
       // an enclave's permissions may deny a topic that no rule names
       if (refusedNames_.insert(topic.name + " " + topic.type).second) {
@@ -111,12 +111,12 @@ void Bridge::followRules(const std::vector<OwnTopic>& topics) {
   for (const TopicRule& rule : settings_.rules) {
     if (rule.pair == nullptr) continue;
     warnOfOtherTypes(rule, topics);
-    Entry* entry = entryFor(rule);
-    if (entry == nullptr) continue;
+    BridgedTopic* bridged = bridgedTopic(rule);
+    if (bridged == nullptr) continue;
     const bool isLatched = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
       return topic.name == rule.ignition && topic.type == rule.pair->ignition && topic.isLatched;
     });
-    want(*entry, {rule.goesToRos(), rule.comesFromRos(), isLatched});
+    want(*bridged, {rule.goesToRos(), rule.comesFromRos(), isLatched});
   }
 }
 
@@ -135,14 +135,15 @@ void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>
 }
 
 /// @return Null if another topic already has the ROS name.
-Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
-  const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
-    return entry.rule.ignition == rule.ignition && entry.rule.pair == rule.pair && entry.rule.ros == rule.ros;
+Bridge::BridgedTopic* Bridge::bridgedTopic(const TopicRule& rule) {
+  const auto found = std::ranges::find_if(bridged_, [&](const BridgedTopic& bridged) {
+    return bridged.rule.ignition == rule.ignition && bridged.rule.pair == rule.pair && bridged.rule.ros == rule.ros;
   });
-  if (found != entries_.end()) return &*found;
-  const auto other = std::ranges::find_if(entries_, [&](const Entry& entry) { return entry.rule.ros == rule.ros; });
+  if (found != bridged_.end()) return &*found;
+  const auto other =
+      std::ranges::find_if(bridged_, [&](const BridgedTopic& bridged) { return bridged.rule.ros == rule.ros; });
   const auto error = rosNameError(rule.ros);
-  if (error || (other != entries_.end() && other->rule.pair->ros != rule.pair->ros)) {
+  if (error || (other != bridged_.end() && other->rule.pair->ros != rule.pair->ros)) {
     if (!refusedNames_.insert(rule.ignition + " " + rule.pair->ignition).second) return nullptr;
     ros_.log().warning("topic '" + rule.ignition + "' is not bridged: " +
                        (error ? "its name in ROS, '" + rule.ros + "', " + *error
@@ -150,22 +151,22 @@ Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
                                     ", from '" + other->rule.ignition + "'"));
     return nullptr;
   }
-  Entry& entry = entries_.emplace_back();
-  entry.rule = rule;
-  return &entry;
+  BridgedTopic& bridged = bridged_.emplace_back();
+  bridged.rule = rule;
+  return &bridged;
 }
 
-void Bridge::want(Entry& entry, const Wanted& wanted) {
-  if (wanted.fromRos && !entry.isFromRosWanted) openFromRos(entry);
-  if (!wanted.fromRos && entry.isFromRosWanted) {
-    entry.subscription.reset();
-    entry.toSimulation = {};
+void Bridge::want(BridgedTopic& bridged, const Directions& wanted) {
+  if (wanted.fromRos && !bridged.isFromRosWanted) openFromRos(bridged);
+  if (!wanted.fromRos && bridged.isFromRosWanted) {
+    bridged.subscription.reset();
+    bridged.toSimulation = {};
   }
-  entry.isFromRosWanted = wanted.fromRos;
-  if (wanted.toRos && !entry.publisher) openToRos(entry, wanted.isLatched);
-  if (!wanted.toRos && entry.publisher) {
-    entry.heard = {};
-    entry.publisher.reset();
+  bridged.isFromRosWanted = wanted.fromRos;
+  if (wanted.toRos && !bridged.publisher) openToRos(bridged, wanted.isLatched);
+  if (!wanted.toRos && bridged.publisher) {
+    bridged.fromSimulation = {};
+    bridged.publisher.reset();
   }
 }
 
@@ -176,74 +177,75 @@ Frames Bridge::framesOf(const TopicRule& rule) const {
   return frames;
 }
 
-void Bridge::openToRos(Entry& entry, bool isLatched) {
-  const TopicRule& rule = entry.rule;
-  entry.isLatched = isLatched;
-  entry.toRos = rule.pair->toRos(framesOf(rule));
-  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
-                                                   [this] { ++readersVersion_; });
+void Bridge::openToRos(BridgedTopic& bridged, bool isLatched) {
+  const TopicRule& rule = bridged.rule;
+  bridged.isLatched = isLatched;
+  bridged.toRos = rule.pair->toRos(framesOf(rule));
+  bridged.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
+                                                     [this] { ++readersVersion_; });
   ++readersVersion_;
 }
 
-void Bridge::openFromRos(Entry& entry) {
-  const TopicRule& rule = entry.rule;
-  entry.toIgnition = rule.pair->toIgnition(framesOf(rule));
-  entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition, {.relays = true});
+void Bridge::openFromRos(BridgedTopic& bridged) {
+  const TopicRule& rule = bridged.rule;
+  bridged.toIgnition = rule.pair->toIgnition(framesOf(rule));
+  bridged.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition, {.relays = true});
   if (isLazyFromRos(rule)) {
     hasLazyReaders_ = true;
   } else {
-    read(entry);
+    read(bridged);
   }
 }
 
-void Bridge::read(Entry& entry) {
-  const TopicRule& rule = entry.rule;
-  entry.subscription = std::make_unique<RosSubscription>(
-      ros_, rule.ros, rule.pair->type(), readerQos(rule), [this, &entry](const Sample& sample) {
+void Bridge::read(BridgedTopic& bridged) {
+  const TopicRule& rule = bridged.rule;
+  bridged.subscription = std::make_unique<RosSubscription>(
+      ros_, rule.ros, rule.pair->type(), readerQos(rule), [this, &bridged](const Sample& sample) {
         std::string error;
-        if (const Message* message = entry.toIgnition(sample.payload, error)) {
-          entry.toSimulation.publish(*message);
+        if (const Message* message = bridged.toIgnition->convert(sample.payload, error)) {
+          bridged.toSimulation.publish(*message);
         } else {
-          ++entry.refused;
-          ros_.complainOf(entry.rule.ros, error);
+          ++bridged.refused;
+          ros_.complainOf(bridged.rule.ros, error);
         }
       });
 }
 
 void Bridge::followReaders() {
-  for (Entry& entry : entries_) {
-    if (!entry.publisher) continue;
-    const bool isAwaited = !isLazyToRos(entry.rule, entry.isLatched) || entry.publisher->hasReaders();
-    if (isAwaited && !entry.heard) listen(entry);
-    if (!isAwaited && entry.heard) entry.heard = {};
+  for (BridgedTopic& bridged : bridged_) {
+    if (!bridged.publisher) continue;
+    const bool isAwaited = !isLazyToRos(bridged.rule, bridged.isLatched) || bridged.publisher->hasReaders();
+    if (isAwaited && !bridged.fromSimulation) subscribe(bridged);
+    if (!isAwaited && bridged.fromSimulation) bridged.fromSimulation = {};
   }
 }
 
-void Bridge::followListeners() {
-  for (Entry& entry : entries_) {
-    if (!entry.isFromRosWanted || !isLazyFromRos(entry.rule)) continue;
-    const bool isAwaited = entry.toSimulation.hasSubscribers();
-    if (isAwaited && !entry.subscription) read(entry);
-    if (!isAwaited && entry.subscription) entry.subscription.reset();
+void Bridge::followSubscribers() {
+  for (BridgedTopic& bridged : bridged_) {
+    if (!bridged.isFromRosWanted || !isLazyFromRos(bridged.rule)) continue;
+    const bool isAwaited = bridged.toSimulation.hasSubscribers();
+    if (isAwaited && !bridged.subscription) read(bridged);
+    if (!isAwaited && bridged.subscription) bridged.subscription.reset();
   }
 }
 
-void Bridge::listen(Entry& entry) {
-  entry.heard = simulation_.subscribeAtOnce(entry.rule.ignition, entry.rule.pair->ignition,
-                                            [&entry](const Message& message, const Bulk* bulk) {
-                                              entry.toRos(message, bulk, [&entry](std::size_t size, const Fill& fill) {
-                                                entry.publisher->writer().write(size, fill);
-                                              });
-                                            },
-                                            {.relays = true});
+void Bridge::subscribe(BridgedTopic& bridged) {
+  bridged.fromSimulation = simulation_.subscribeAtOnce(
+      bridged.rule.ignition, bridged.rule.pair->ignition,
+      [&bridged](const Message& message, const Bulk* bulk) {
+        bridged.toRos->convert(message, bulk, [&bridged](std::size_t size, const Fill& fill) {
+          bridged.publisher->writer().write(size, fill);
+        });
+      },
+      {.relays = true});
 }
 
 std::vector<Offer> Bridge::offers() const {
   std::vector<Offer> all;
-  for (const Entry& entry : entries_) {
-    Offer& offer = all.emplace_back(Offer{entry.rule.ros, entry.rule.ignition, entry.rule.pair});
-    if (entry.publisher) offer.writer = writerQos(entry.rule, entry.isLatched);
-    if (entry.subscription) offer.reader = readerQos(entry.rule);
+  for (const BridgedTopic& bridged : bridged_) {
+    Offer& offer = all.emplace_back(Offer{bridged.rule.ros, bridged.rule.ignition, bridged.rule.pair});
+    if (bridged.publisher) offer.writer = writerQos(bridged.rule, bridged.isLatched);
+    if (bridged.subscription) offer.reader = readerQos(bridged.rule);
   }
   return all;
 }
@@ -257,33 +259,33 @@ void Bridge::setBridgesAll(bool all) {
 void Bridge::setWallTime(bool isUsed) {
   if (isUsed == settings_.frames.usesWallTime) return;
   settings_.frames.usesWallTime = isUsed;
-  for (Entry& entry : entries_) {
-    if (!entry.publisher) continue;
-    // it is not called while it changes
-    entry.heard = {};
-    entry.toRos = entry.rule.pair->toRos(framesOf(entry.rule));
+  for (BridgedTopic& bridged : bridged_) {
+    if (!bridged.publisher) continue;
+    // ends the subscription first, because it calls `toRos`
+    bridged.fromSimulation = {};
+    bridged.toRos = bridged.rule.pair->toRos(framesOf(bridged.rule));
   }
   ++readersVersion_;
 }
 
 std::vector<Bridge::Topic> Bridge::topics() const {
   std::vector<Topic> all;
-  for (const Entry& entry : entries_) {
+  for (const BridgedTopic& bridged : bridged_) {
     Topic& topic = all.emplace_back();
-    topic.ros = entry.rule.ros;
-    topic.ignition = entry.rule.ignition;
-    topic.pair = entry.rule.pair;
-    if (entry.publisher) {
+    topic.ros = bridged.rule.ros;
+    topic.ignition = bridged.rule.ignition;
+    topic.pair = bridged.rule.pair;
+    if (bridged.publisher) {
       topic.isToRos = true;
-      topic.readers = entry.publisher->writer().readers();
-      topic.sent = entry.publisher->writer().sent();
-      topic.dropped = entry.publisher->writer().dropped();
+      topic.readers = bridged.publisher->writer().readers();
+      topic.sent = bridged.publisher->writer().sent();
+      topic.dropped = bridged.publisher->writer().dropped();
     }
-    topic.isFromRos = entry.isFromRosWanted;
-    topic.refused = entry.refused;
-    if (entry.subscription) {
-      topic.writers = entry.subscription->reader().writers();
-      topic.received = entry.subscription->reader().received();
+    topic.isFromRos = bridged.isFromRosWanted;
+    topic.refused = bridged.refused;
+    if (bridged.subscription) {
+      topic.writers = bridged.subscription->reader().writers();
+      topic.received = bridged.subscription->reader().received();
     }
   }
   return all;

@@ -19,7 +19,7 @@ namespace pongsim::ros2 {
 /// Passes messages between the topics of the simulation and those of ROS. Topics named in rules follow those, all
 /// others that have a pair keep their names and are bridged in the directions in which the simulation uses them. Unless
 /// a rule says otherwise, the simulation's topics are subscribed to only while a ROS node subscribes, so that nothing
-/// is made for nobody.
+/// is computed without need.
 ///
 /// Messages to ROS are written to the wire inside the simulation's `publish`; those from ROS are read on DDS's thread
 /// and published from there. Everything else is for the simulation's thread. Must not outlive the nodes.
@@ -63,8 +63,8 @@ class Bridge {
   void setWallTime(bool isUsed);
 
  private:
-  struct Entry;
-  struct Wanted {
+  struct BridgedTopic;
+  struct Directions {
     bool toRos = false;
     bool fromRos = false;
     bool isLatched = false;
@@ -73,15 +73,15 @@ class Bridge {
   void followTopics();
   void followRules(const std::vector<OwnTopic>& topics);
   void followReaders();
-  void followListeners();
+  void followSubscribers();
   void warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>& topics);
   bool isTakenByRule(const TopicRule& automatic);
-  Entry* entryFor(const TopicRule& rule);
-  void want(Entry& entry, const Wanted& wanted);
-  void openToRos(Entry& entry, bool isLatched);
-  void openFromRos(Entry& entry);
-  void read(Entry& entry);
-  void listen(Entry& entry);
+  BridgedTopic* bridgedTopic(const TopicRule& rule);
+  void want(BridgedTopic& bridged, const Directions& wanted);
+  void openToRos(BridgedTopic& bridged, bool isLatched);
+  void openFromRos(BridgedTopic& bridged);
+  void read(BridgedTopic& bridged);
+  void subscribe(BridgedTopic& bridged);
   std::vector<Offer> offers() const;
   Frames framesOf(const TopicRule& rule) const;
 
@@ -96,7 +96,7 @@ class Bridge {
   std::uint64_t knownReaders_ = 0;
   /// Whether ROS topics are read only while somebody in the simulation subscribes.
   bool hasLazyReaders_ = false;
-  std::list<Entry> entries_;
+  std::list<BridgedTopic> bridged_;
   Mismatches mismatches_;
 };
 

@@ -28,26 +28,26 @@ struct NodesCommandLine {
   bool asJson = false;
 };
 
-using Ways = std::vector<NodeInfo::Way>;
+using Interfaces = std::vector<NodeInfo::Interface>;
 
-struct Part {
+struct Section {
   const char* title;
   const char* key;
-  const Ways NodeInfo::*ways;
+  const Interfaces NodeInfo::*interfaces;
 };
 
-constexpr Part kParts[] = {
+constexpr Section kSections[] = {
     {"Publishers", "publishers", &NodeInfo::publishes}, {"Subscribers", "subscribers", &NodeInfo::subscribes},
     {"Services", "services", &NodeInfo::serves},        {"Service clients", "service_clients", &NodeInfo::calls},
     {"Actions", "actions", &NodeInfo::servesActions},   {"Action clients", "action_clients", &NodeInfo::callsActions}};
 
 std::string describe(const NodeInfo& node) {
   std::string text = node.fullName() + "\n";
-  for (const Part& part : kParts) {
-    const Ways& ways = node.*part.ways;
-    if (ways.empty()) continue;
-    text += std::string("  ") + part.title + ":\n";
-    for (const NodeInfo::Way& way : ways) text += "    " + way.name + " [" + way.type + "]\n";
+  for (const Section& section : kSections) {
+    const Interfaces& interfaces = node.*section.interfaces;
+    if (interfaces.empty()) continue;
+    text += std::string("  ") + section.title + ":\n";
+    for (const NodeInfo::Interface& each : interfaces) text += "    " + each.name + " [" + each.type + "]\n";
   }
   return text;
 }
@@ -57,10 +57,10 @@ std::string jsonOf(const std::vector<NodeInfo>& nodes) {
   for (const NodeInfo& node : nodes) {
     nlohmann::ordered_json& added = list.emplace_back();
     added = {{"name", node.fullName()}, {"namespace", node.nameSpace}};
-    for (const Part& part : kParts) {
-      added[part.key] = nlohmann::ordered_json::array();
-      for (const NodeInfo::Way& way : node.*part.ways) {
-        added[part.key].push_back({{"name", way.name}, {"type", way.type}});
+    for (const Section& section : kSections) {
+      added[section.key] = nlohmann::ordered_json::array();
+      for (const NodeInfo::Interface& each : node.*section.interfaces) {
+        added[section.key].push_back({{"name", each.name}, {"type", each.type}});
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "ros2/control/joint_driver.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "pongsim/commands.hh"
@@ -18,18 +19,19 @@ JointDriver::JointDriver(const Model& model, std::vector<ControlledJoint> joints
 }
 
 void JointDriver::command(const std::vector<JointCommand>& commands) {
+  assert(commands.size() == driven_.size());
   for (std::size_t i = 0; i < driven_.size(); ++i) {
     Driven& driven = driven_[i];
     // another interface takes over when its command changes, or with its first nonzero command
-    const auto take = [&](const std::optional<double>& told, std::optional<double>& known, Way way) {
-      if (!told) return;
-      const bool isNew = known ? *known != *told : (driven.way == Way::kNone || *told != 0);
-      known = told;
-      if (isNew) driven.way = way;
+    const auto take = [&](const std::optional<double>& value, std::optional<double>& known, Interface interface) {
+      if (!value) return;
+      const bool isNew = known ? *known != *value : (driven.interface == Interface::kNone || *value != 0);
+      known = value;
+      if (isNew) driven.interface = interface;
     };
-    take(commands[i].position, driven.position, Way::kPosition);
-    take(commands[i].velocity, driven.velocity, Way::kVelocity);
-    take(commands[i].effort, driven.effort, Way::kEffort);
+    take(commands[i].position, driven.position, Interface::kPosition);
+    take(commands[i].velocity, driven.velocity, Interface::kVelocity);
+    take(commands[i].effort, driven.effort, Interface::kEffort);
   }
 }
 
@@ -66,18 +68,18 @@ void JointDriver::drive(Time dt) {
       turn(driven.joint, follow * (target - driven.joint.position()));
       continue;
     }
-    switch (driven.way) {
-      case Way::kPosition:
+    switch (driven.interface) {
+      case Interface::kPosition:
         turn(driven.joint, approach * (*driven.position - driven.joint.position()));
         break;
-      case Way::kVelocity:
+      case Interface::kVelocity:
         turn(driven.joint, *driven.velocity);
         break;
-      case Way::kEffort:
+      case Interface::kEffort:
         driven.joint.clearVelocityTarget();
         driven.joint.addForce(*driven.effort);
         break;
-      case Way::kNone:
+      case Interface::kNone:
         if (settings_.holdsJoints && controlled_[i].isCommanded()) turn(driven.joint, 0);
         break;
     }
@@ -86,13 +88,13 @@ void JointDriver::drive(Time dt) {
 
 void JointDriver::reset() {
   for (Driven& driven : driven_) {
-    driven.way = Way::kNone;
+    driven.interface = Interface::kNone;
     driven.position = driven.velocity = driven.effort = std::nullopt;
   }
 }
 
 void JointDriver::Driven::transfer(StateArchive& archive) {
-  archive(way);
+  archive(interface);
   archive(position);
   archive(velocity);
   archive(effort);

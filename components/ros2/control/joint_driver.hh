@@ -46,12 +46,12 @@ class JointDriver {
   void transfer(StateArchive& archive);
 
  private:
-  enum class Way { kNone, kPosition, kVelocity, kEffort };
+  enum class Interface { kNone, kPosition, kVelocity, kEffort };
   struct Driven {
     Joint joint;
     /// The joint that it mimics.
     std::optional<std::size_t> leader = std::nullopt;
-    Way way = Way::kNone;
+    Interface interface = Interface::kNone;
     std::optional<double> position = std::nullopt;
     std::optional<double> velocity = std::nullopt;
     std::optional<double> effort = std::nullopt;

@@ -16,7 +16,7 @@
 namespace pongsim::ros2 {
 
 /// Offers an action for the lifetime of this object: its three services and two topics, with rcl's quality of service.
-/// The executor is told of goals, and reports their progress. For one thread, that of the node's mailbox.
+/// Goals are passed to `Handlers::execute`, which reports their progress. For one thread, that of the node's mailbox.
 template <ActionType Action>
 class ActionServer {
  public:
@@ -29,7 +29,7 @@ class ActionServer {
   struct Handlers {
     /// @return Whether to accept the goal; empty: accept all. Not called for an id that was used before.
     std::function<bool(const Goal&)> accepts;
-    /// Called with each accepted goal, after its client has been told. The goal ends with `end`, now or later.
+    /// Called with each accepted goal, after its client has got the answer. The goal ends with `end`, now or later.
     std::function<void(const Id&, const Goal&)> execute;
     /// @return Whether to cancel the goal; empty: never. The goal goes on until `end` reports that it was cancelled, or
     /// another outcome.
@@ -51,7 +51,7 @@ class ActionServer {
         [this](const auto& request, const auto& responder) { cancel(request.goal_info, responder); });
     getResult_ = serve<GetResult<Action>>(
         node, base + "get_result",
-        [this](const auto& request, const auto& responder) { tellResult(request.goal_id, responder); });
+        [this](const auto& request, const auto& responder) { sendResult(request.goal_id, responder); });
   }
   ActionServer(const ActionServer&) = delete;
   ActionServer& operator=(const ActionServer&) = delete;
@@ -60,7 +60,7 @@ class ActionServer {
   bool isCanceling(const Id& id) const { return goals_.status(id) == Status::kStatusCanceling; }
 
   /// Publishes feedback on a goal, if anybody subscribes.
-  void tell(const Id& id, const Feedback& feedback) {
+  void publishFeedback(const Id& id, const Feedback& feedback) {
     if (feedback_->hasReaders()) feedback_->publish(FeedbackMessage<Action>{id, feedback});
   }
 
@@ -72,9 +72,9 @@ class ActionServer {
     goals_.end(id, status, Goals::Clock::now());
     found->second.isOver = true;
     found->second.result = result;
-    // answer pending result requests first: for many goals nobody asks later
+    // the pending requests for the result
     for (const auto& each : std::exchange(found->second.waiting, {})) each.answer({status, result});
-    tellStatus();
+    publishStatus();
   }
 
  private:
@@ -94,13 +94,13 @@ class ActionServer {
     goals_.accept(request.goal_id, stamp);
     records_[request.goal_id.uuid];
     responder.answer({true, stamp});
-    tellStatus();
+    publishStatus();
     handlers_.execute(request.goal_id, request.goal);
   }
 
-  void cancel(const action_msgs::GoalInfo& asked, const Responder<action_msgs::srv::CancelGoal>& responder) {
+  void cancel(const action_msgs::GoalInfo& goalInfo, const Responder<action_msgs::srv::CancelGoal>& responder) {
     using Response = action_msgs::srv::CancelGoal::Response;
-    const Goals::ToCancel meant = goals_.toCancel(asked);
+    const Goals::ToCancel meant = goals_.toCancel(goalInfo);
     Response response;
     response.return_code = meant.code;
     for (const action_msgs::GoalInfo& goal : meant.goals) {
@@ -110,10 +110,10 @@ class ActionServer {
     }
     if (!meant.goals.empty() && response.goals_canceling.empty()) response.return_code = Response::kErrorRejected;
     responder.answer(response);
-    if (!response.goals_canceling.empty()) tellStatus();
+    if (!response.goals_canceling.empty()) publishStatus();
   }
 
-  void tellResult(const Id& id, const ResultResponder& responder) {
+  void sendResult(const Id& id, const ResultResponder& responder) {
     forget();
     const auto found = records_.find(id.uuid);
     if (found == records_.end()) return responder.answer({Status::kStatusUnknown, {}});
@@ -127,7 +127,7 @@ class ActionServer {
     for (const Id& id : goals_.forget(Goals::Clock::now())) records_.erase(id.uuid);
   }
 
-  void tellStatus() { status_->publish(goals_.statuses()); }
+  void publishStatus() { status_->publish(goals_.statuses()); }
 
   std::function<builtin_interfaces::Time()> now_;
   Handlers handlers_;

@@ -147,7 +147,7 @@ TEST_F(ActionTest, FeedbackAndStatusAreTold) {
       });
   ASSERT_TRUE(send(4, 3));
   ASSERT_TRUE(test::waitUntil([&] {
-    server_->tell(idOf(4), {{1, 1}});
+    server_->publishFeedback(idOf(4), {{1, 1}});
     const std::lock_guard lock(mutex);
     return !feedback.empty();
   }));

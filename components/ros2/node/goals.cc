@@ -56,19 +56,19 @@ void Goals::end(const Id& id, std::int8_t status, Clock::time_point now) {
   goal->ended = now;
 }
 
-Goals::ToCancel Goals::toCancel(const action_msgs::GoalInfo& asked) const {
-  const bool hasId = asked.goal_id != Id(), hasTime = asked.stamp != Time();
+Goals::ToCancel Goals::toCancel(const action_msgs::GoalInfo& request) const {
+  const bool hasId = request.goal_id != Id(), hasTime = request.stamp != Time();
   ToCancel result;
   if (hasId && !hasTime) {
-    const Goal* goal = find(asked.goal_id);
+    const Goal* goal = find(request.goal_id);
     if (goal == nullptr) return {Cancel::kErrorUnknownGoalId, {}};
     if (!isCancelable(goal->status)) return {Cancel::kErrorGoalTerminated, {}};
     return {Cancel::kErrorNone, {goal->status.goal_info}};
   }
   for (const Goal& goal : goals_) {
     const action_msgs::GoalInfo& info = goal.status.goal_info;
-    const bool isMeant = (!hasId && !hasTime) || (hasId && info.goal_id == asked.goal_id) ||
-                         (hasTime && isNotAfter(info.stamp, asked.stamp));
+    const bool isMeant = (!hasId && !hasTime) || (hasId && info.goal_id == request.goal_id) ||
+                         (hasTime && isNotAfter(info.stamp, request.stamp));
     if (isMeant && isCancelable(goal.status)) result.goals.push_back(info);
   }
   return result;

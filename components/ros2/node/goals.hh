@@ -42,7 +42,7 @@ class Goals {
     std::int8_t code = 0;
     std::vector<action_msgs::GoalInfo> goals;
   };
-  ToCancel toCancel(const action_msgs::GoalInfo& asked) const;
+  ToCancel toCancel(const action_msgs::GoalInfo& request) const;
 
   /// Removes goals that ended long ago.
   /// @return Their ids.

@@ -54,7 +54,7 @@ RosNode::RosNode(Participant& participant, const Options& options) : participant
   if (const auto error = rosNameError(fullName())) throw std::invalid_argument("node '" + fullName() + "' " + *error);
   discovery_ = participant.makeWriter(participant.distro() == Distro::kHumble ? discoveryContract<kHumbleGid>()
                                                                               : discoveryContract<kJazzyGid>());
-  tell();
+  announce();
 }
 
 RosNode::~RosNode() = default;
@@ -72,22 +72,22 @@ void RosNode::complainOf(std::string_view topic, std::string_view error) {
 void RosNode::addWriter(const Guid& id) {
   const std::lock_guard lock(mutex_);
   writers_.push_back(id);
-  tell();
+  announce();
 }
 void RosNode::removeWriter(const Guid& id) {
   const std::lock_guard lock(mutex_);
   std::erase(writers_, id);
-  tell();
+  announce();
 }
 void RosNode::addReader(const Guid& id) {
   const std::lock_guard lock(mutex_);
   readers_.push_back(id);
-  tell();
+  announce();
 }
 void RosNode::removeReader(const Guid& id) {
   const std::lock_guard lock(mutex_);
   std::erase(readers_, id);
-  tell();
+  announce();
 }
 
 RosNode::Quiet::Quiet(RosNode& node) : node_(node) {
@@ -98,11 +98,11 @@ RosNode::Quiet::Quiet(RosNode& node) : node_(node) {
 RosNode::Quiet::~Quiet() {
   const std::lock_guard lock(node_.mutex_);
   --node_.quiet_;
-  node_.tell();
+  node_.announce();
 }
 
 template <std::size_t GidSize>
-void RosNode::tellAs() {
+void RosNode::announceAs() {
   rmw_dds_common::ParticipantEntitiesInfo<GidSize> info;
   info.gid = gidOf<GidSize>(participant_.id());
   auto& node = info.node_entities_info_seq.emplace_back();
@@ -113,9 +113,9 @@ void RosNode::tellAs() {
   discovery_->write(cdrSize(info), [&info](std::span<std::byte> place) { writeCdr(info, place); });
 }
 
-void RosNode::tell() {
+void RosNode::announce() {
   if (quiet_ > 0) return;
-  participant_.distro() == Distro::kHumble ? tellAs<kHumbleGid>() : tellAs<kJazzyGid>();
+  participant_.distro() == Distro::kHumble ? announceAs<kHumbleGid>() : announceAs<kJazzyGid>();
 }
 
 }  // namespace pongsim::ros2

@@ -137,8 +137,8 @@ class RosNode {
 
  private:
   template <std::size_t GidSize>
-  void tellAs();
-  void tell();
+  void announceAs();
+  void announce();
 
   Participant& participant_;
   Options options_;

@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::string_view kActionPart = "/_action/", kGoal = "/_action/send_goal";
 constexpr std::string_view kTypeRequestEnd = "_Request", kGoalEnd = "_SendGoal";
-constexpr std::chrono::milliseconds kBetweenLooks{50};
-// Participants answer within a few milliseconds, and repeat lost announcements twice a second.
+constexpr std::chrono::milliseconds kPollInterval{50};
+// Participants answer within a few milliseconds, and repeat lost announcements twice a second: after this time without
+// an announcement all are known.
 constexpr std::chrono::milliseconds kQuiet{700};
 
 template <std::size_t GidSize>
@@ -35,8 +36,8 @@ std::string without(std::string text, std::string_view end) {
 
 /// Adds an offered or called service. The goal service of an action represents the action; its other services are
 /// skipped.
-void addService(const std::string& name, std::string type, std::vector<NodeInfo::Way>& services,
-                std::vector<NodeInfo::Way>& actions) {
+void addService(const std::string& name, std::string type, std::vector<NodeInfo::Interface>& services,
+                std::vector<NodeInfo::Interface>& actions) {
   type = without(std::move(type), kTypeRequestEnd);
   if (name.ends_with(kGoal)) {
     actions.push_back({without(name, kGoal), without(type, kGoalEnd)});
@@ -58,9 +59,9 @@ void addEndpoint(const Graph::Endpoint& endpoint, NodeInfo& node) {
   }
 }
 
-void tidy(std::vector<NodeInfo::Way>& ways) {
-  std::ranges::sort(ways);
-  ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+void sortUnique(std::vector<NodeInfo::Interface>& interfaces) {
+  std::ranges::sort(interfaces);
+  interfaces.erase(std::unique(interfaces.begin(), interfaces.end()), interfaces.end());
 }
 
 }  // namespace
@@ -80,11 +81,11 @@ std::unique_ptr<Reader> NodeWatch::makeReader() {
   const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
   return participant_.makeReader(contract, [this](const Sample& sample) {
     Info info;
-    // from another distribution, or damaged
+    // not readable: from another distribution, or damaged
     if (readCdr(sample.payload, info)) return;
-    std::vector<Told> nodes;
+    std::vector<Announced> nodes;
     for (const auto& each : info.node_entities_info_seq) {
-      Told& node = nodes.emplace_back();
+      Announced& node = nodes.emplace_back();
       node.nameSpace = each.node_namespace;
       node.name = each.node_name;
       for (const auto* gids : {&each.reader_gid_seq, &each.writer_gid_seq}) {
@@ -92,7 +93,7 @@ std::unique_ptr<Reader> NodeWatch::makeReader() {
       }
     }
     const std::lock_guard lock(mutex_);
-    told_[guidOf(info.gid)] = std::move(nodes);
+    announced_[guidOf(info.gid)] = std::move(nodes);
     ++version_;
   });
 }
@@ -106,7 +107,7 @@ void NodeWatch::settle(std::chrono::nanoseconds timeout) const {
   const Clock::time_point end = Clock::now() + timeout;
   auto last = versions();
   for (Clock::time_point since = Clock::now(); Clock::now() < end && Clock::now() - since < kQuiet;) {
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kPollInterval);
     if (const auto now = versions(); now != last) {
       last = now;
       since = Clock::now();
@@ -121,22 +122,22 @@ std::vector<NodeInfo> NodeWatch::nodes() const {
   std::vector<NodeInfo> nodes;
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& [participant, all] : told_) {
+    for (const auto& [participant, all] : announced_) {
       if (std::ranges::find(participants, participant) == participants.end()) continue;
-      for (const Told& told : all) {
+      for (const Announced& announced : all) {
         NodeInfo& node = nodes.emplace_back();
-        node.nameSpace = told.nameSpace;
-        node.name = told.name;
-        for (const Guid& id : told.endpoints) {
+        node.nameSpace = announced.nameSpace;
+        node.name = announced.name;
+        for (const Guid& id : announced.endpoints) {
           if (const auto found = endpoints.find(id); found != endpoints.end()) addEndpoint(found->second, node);
         }
       }
     }
   }
   for (NodeInfo& node : nodes) {
-    for (auto* ways :
+    for (auto* interfaces :
          {&node.publishes, &node.subscribes, &node.serves, &node.calls, &node.servesActions, &node.callsActions}) {
-      tidy(*ways);
+      sortUnique(*interfaces);
     }
   }
   std::ranges::sort(nodes, {}, &NodeInfo::fullName);

@@ -14,23 +14,23 @@ namespace pongsim::ros2 {
 /// A node as others see it. Lists are sorted by name, then by type.
 struct NodeInfo {
   /// A topic, service or action: "/scan", "sensor_msgs/msg/LaserScan".
-  struct Way {
+  struct Interface {
     std::string name;
     /// Empty if the type is not a ROS type.
     std::string type;
-    auto operator<=>(const Way&) const = default;
+    auto operator<=>(const Interface&) const = default;
   };
   /// "/robot"
   std::string nameSpace;
   /// "teleop"
   std::string name;
-  std::vector<Way> publishes;
-  std::vector<Way> subscribes;
+  std::vector<Interface> publishes;
+  std::vector<Interface> subscribes;
   /// Without those of its actions; the same below.
-  std::vector<Way> serves;
-  std::vector<Way> calls;
-  std::vector<Way> servesActions;
-  std::vector<Way> callsActions;
+  std::vector<Interface> serves;
+  std::vector<Interface> calls;
+  std::vector<Interface> servesActions;
+  std::vector<Interface> callsActions;
 
   /// @return "/robot/teleop".
   std::string fullName() const;
@@ -45,14 +45,14 @@ class NodeWatch {
   NodeWatch(const NodeWatch&) = delete;
   NodeWatch& operator=(const NodeWatch&) = delete;
 
-  /// Waits until no news has arrived for a while, up to `timeout`.
+  /// Waits until nothing has been announced for 0.7 s, up to `timeout`.
   void settle(std::chrono::nanoseconds timeout) const;
 
   /// @return The nodes of the other participants, sorted by full name.
   std::vector<NodeInfo> nodes() const;
 
  private:
-  struct Told {
+  struct Announced {
     std::string nameSpace;
     std::string name;
     std::vector<Guid> endpoints;
@@ -63,7 +63,7 @@ class NodeWatch {
   Participant& participant_;
   mutable std::mutex mutex_;
   /// The last announcement of each participant.
-  std::map<Guid, std::vector<Told>> told_;
+  std::map<Guid, std::vector<Announced>> announced_;
   std::uint64_t version_ = 0;
   std::unique_ptr<Reader> reader_;
 };

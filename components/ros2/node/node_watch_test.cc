@@ -52,10 +52,10 @@ TEST_P(NodeWatchTest, SeesWhatNodesPublishSubscribeAndServe) {
   }));
   const NodeInfo info = infoOf("/robot/talker");
   EXPECT_EQ(info.nameSpace, "/robot");
-  EXPECT_EQ(info.publishes, (std::vector<NodeInfo::Way>{{"/robot/chatter", "std_msgs/msg/String"}}));
-  EXPECT_EQ(info.subscribes, (std::vector<NodeInfo::Way>{{"/heard", "std_msgs/msg/String"}}));
+  EXPECT_EQ(info.publishes, (std::vector<NodeInfo::Interface>{{"/robot/chatter", "std_msgs/msg/String"}}));
+  EXPECT_EQ(info.subscribes, (std::vector<NodeInfo::Interface>{{"/heard", "std_msgs/msg/String"}}));
   EXPECT_EQ(info.serves,
-            (std::vector<NodeInfo::Way>{{"/robot/features", "simulation_interfaces/srv/GetSimulatorFeatures"}}));
+            (std::vector<NodeInfo::Interface>{{"/robot/features", "simulation_interfaces/srv/GetSimulatorFeatures"}}));
   EXPECT_TRUE(info.calls.empty());
 }
 

@@ -133,73 +133,73 @@ void Parameters::declare(Descriptor descriptor, const Value& value, Setter sette
   const std::string name = descriptor.name;
   if (name.empty()) throw std::invalid_argument("parameter name must not be empty");
   if (value.type == Type::kParameterNotSet) throw std::invalid_argument("parameter '" + name + "' has no type");
-  if (entries_.contains(name)) throw std::invalid_argument("parameter '" + name + "' has already been declared");
+  if (declared_.contains(name)) throw std::invalid_argument("parameter '" + name + "' has already been declared");
   descriptor.type = value.type;
   descriptor.read_only = !setter;
   if (const auto error = rangeError(descriptor, value)) throw std::invalid_argument(*error);
-  entries_[name] = {std::move(descriptor), value, std::move(setter)};
+  declared_[name] = {std::move(descriptor), value, std::move(setter)};
   rcl_interfaces::ParameterEvent event;
   event.new_parameters.push_back({name, value});
-  tell(std::move(event));
+  publish(std::move(event));
 }
 
 void Parameters::update(const std::string& name, const Value& value) {
-  const auto found = entries_.find(name);
-  if (found == entries_.end() || found->second.value.type != value.type) {
+  const auto found = declared_.find(name);
+  if (found == declared_.end() || found->second.value.type != value.type) {
     throw std::invalid_argument("there is no parameter '" + name + "' of type " + typeName(value.type));
   }
   if (found->second.value == value) return;
   found->second.value = value;
   rcl_interfaces::ParameterEvent event;
   event.changed_parameters.push_back({name, value});
-  tell(std::move(event));
+  publish(std::move(event));
 }
 
-std::vector<SetParametersResult> Parameters::set(const std::vector<Parameter>& asked) {
+std::vector<SetParametersResult> Parameters::set(const std::vector<Parameter>& requested) {
   std::vector<SetParametersResult> results;
-  for (const Parameter& each : asked) results.push_back(setAll({each}));
+  for (const Parameter& each : requested) results.push_back(setAll({each}));
   return results;
 }
 
-SetParametersResult Parameters::setAtomically(const std::vector<Parameter>& asked) {
+SetParametersResult Parameters::setAtomically(const std::vector<Parameter>& requested) {
   const bool areAllThere =
-      std::ranges::all_of(asked, [this](const Parameter& each) { return entries_.contains(each.name); });
+      std::ranges::all_of(requested, [this](const Parameter& each) { return declared_.contains(each.name); });
   if (!areAllThere) return {false, "One or more parameters were not declared before setting"};
-  return setAll(asked);
+  return setAll(requested);
 }
 
 /// @return Why it can't have that value, in rclcpp's words. Its setter may refuse it as well.
-std::optional<std::string> Parameters::refusal(const Parameter& asked) const {
-  const auto found = entries_.find(asked.name);
-  if (found == entries_.end()) return "parameter '" + asked.name + "' cannot be set because it was not declared";
+std::optional<std::string> Parameters::refusal(const Parameter& requested) const {
+  const auto found = declared_.find(requested.name);
+  if (found == declared_.end()) return "parameter '" + requested.name + "' cannot be set because it was not declared";
   const Descriptor& descriptor = found->second.descriptor;
-  if (descriptor.read_only) return "parameter '" + asked.name + "' cannot be set because it is read-only";
-  if (asked.value.type != descriptor.type) {
-    return "Wrong parameter type, parameter {" + asked.name + "} is of type {" + typeName(descriptor.type) +
-           "}, setting it to {" + typeName(asked.value.type) + "} is not allowed.";
+  if (descriptor.read_only) return "parameter '" + requested.name + "' cannot be set because it is read-only";
+  if (requested.value.type != descriptor.type) {
+    return "Wrong parameter type, parameter {" + requested.name + "} is of type {" + typeName(descriptor.type) +
+           "}, setting it to {" + typeName(requested.value.type) + "} is not allowed.";
   }
-  return rangeError(descriptor, asked.value);
+  return rangeError(descriptor, requested.value);
 }
 
-SetParametersResult Parameters::setAll(const std::vector<Parameter>& asked) {
-  for (const Parameter& each : asked) {
+SetParametersResult Parameters::setAll(const std::vector<Parameter>& requested) {
+  for (const Parameter& each : requested) {
     if (const auto error = refusal(each)) return {false, *error};
   }
-  std::vector<std::pair<Entry*, Value>> before;
-  for (const Parameter& each : asked) {
-    Entry& entry = entries_[each.name];
-    if (const auto error = entry.setter(each.value)) {
+  std::vector<std::pair<Declared*, Value>> before;
+  for (const Parameter& each : requested) {
+    Declared& declared = declared_[each.name];
+    if (const auto error = declared.setter(each.value)) {
       for (auto done = before.rbegin(); done != before.rend(); ++done) {
         done->first->setter(done->second);
         done->first->value = done->second;
       }
       return {false, *error};
     }
-    before.emplace_back(&entry, std::exchange(entry.value, each.value));
+    before.emplace_back(&declared, std::exchange(declared.value, each.value));
   }
   rcl_interfaces::ParameterEvent event;
-  event.changed_parameters = asked;
-  tell(std::move(event));
+  event.changed_parameters = requested;
+  publish(std::move(event));
   return {true, {}};
 }
 
@@ -207,35 +207,35 @@ template <class Result, class Of>
 std::vector<Result> Parameters::ofEach(const std::vector<std::string>& names, const Of& of) const {
   std::vector<Result> results;
   for (const std::string& name : names) {
-    const auto found = entries_.find(name);
-    if (found == entries_.end()) return {};
+    const auto found = declared_.find(name);
+    if (found == declared_.end()) return {};
     results.push_back(of(found->second));
   }
   return results;
 }
 
 std::vector<Parameters::Value> Parameters::get(const std::vector<std::string>& names) const {
-  return ofEach<Value>(names, [](const Entry& entry) { return entry.value; });
+  return ofEach<Value>(names, [](const Declared& declared) { return declared.value; });
 }
 
 std::vector<std::uint8_t> Parameters::types(const std::vector<std::string>& names) const {
-  return ofEach<std::uint8_t>(names, [](const Entry& entry) { return entry.value.type; });
+  return ofEach<std::uint8_t>(names, [](const Declared& declared) { return declared.value.type; });
 }
 
 std::vector<Parameters::Descriptor> Parameters::describe(const std::vector<std::string>& names) const {
-  return ofEach<Descriptor>(names, [](const Entry& entry) { return entry.descriptor; });
+  return ofEach<Descriptor>(names, [](const Declared& declared) { return declared.descriptor; });
 }
 
 rcl_interfaces::ListParametersResult Parameters::list(const std::vector<std::string>& prefixes,
                                                       std::uint64_t depth) const {
   rcl_interfaces::ListParametersResult result;
-  for (const auto& [name, entry] : entries_) {
-    const bool isAsked =
+  for (const auto& [name, declared] : declared_) {
+    const bool isSelected =
         prefixes.empty() ? isWithinDepth(name, depth) : std::ranges::any_of(prefixes, [&](const std::string& prefix) {
           return name == prefix ||
                  (isBelow(name, prefix) && isWithinDepth(std::string_view(name).substr(prefix.size() + 1), depth));
         });
-    if (!isAsked) continue;
+    if (!isSelected) continue;
     result.names.push_back(name);
     const std::size_t last = name.rfind(kSeparator);
     if (last == std::string::npos) continue;
@@ -245,7 +245,7 @@ rcl_interfaces::ListParametersResult Parameters::list(const std::vector<std::str
   return result;
 }
 
-void Parameters::tell(rcl_interfaces::ParameterEvent event) {
+void Parameters::publish(rcl_interfaces::ParameterEvent event) {
   if (!events_->hasReaders()) return;
   event.stamp = now_();
   event.node = node_.fullName();

@@ -48,9 +48,9 @@ class Parameters {
   // Implementations of the services.
 
   /// @return One result for each; those that are valid are set.
-  std::vector<rcl_interfaces::SetParametersResult> set(const std::vector<rcl_interfaces::Parameter>& asked);
+  std::vector<rcl_interfaces::SetParametersResult> set(const std::vector<rcl_interfaces::Parameter>& requested);
   /// Sets all, or none if one of them is refused.
-  rcl_interfaces::SetParametersResult setAtomically(const std::vector<rcl_interfaces::Parameter>& asked);
+  rcl_interfaces::SetParametersResult setAtomically(const std::vector<rcl_interfaces::Parameter>& requested);
   /// @return Empty if one of them does not exist, as in rclcpp; the same below.
   std::vector<Value> get(const std::vector<std::string>& names) const;
   std::vector<std::uint8_t> types(const std::vector<std::string>& names) const;
@@ -60,21 +60,21 @@ class Parameters {
   rcl_interfaces::ListParametersResult list(const std::vector<std::string>& prefixes, std::uint64_t depth) const;
 
  private:
-  struct Entry {
+  struct Declared {
     Descriptor descriptor;
     Value value;
     Setter setter;
   };
-  std::optional<std::string> refusal(const rcl_interfaces::Parameter& asked) const;
-  rcl_interfaces::SetParametersResult setAll(const std::vector<rcl_interfaces::Parameter>& asked);
+  std::optional<std::string> refusal(const rcl_interfaces::Parameter& requested) const;
+  rcl_interfaces::SetParametersResult setAll(const std::vector<rcl_interfaces::Parameter>& requested);
   /// Nothing if one of them does not exist.
   template <class Result, class Of>
   std::vector<Result> ofEach(const std::vector<std::string>& names, const Of& of) const;
-  void tell(rcl_interfaces::ParameterEvent event);
+  void publish(rcl_interfaces::ParameterEvent event);
 
   RosNode& node_;
   std::function<builtin_interfaces::Time()> now_;
-  std::map<std::string, Entry> entries_;
+  std::map<std::string, Declared> declared_;
   std::unique_ptr<RosPublisher> events_;
   std::vector<std::unique_ptr<RosServer>> servers_;
 };

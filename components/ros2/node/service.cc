@@ -8,10 +8,10 @@ namespace pongsim::ros2::detail {
 namespace {
 
 // How long a reply waits for the discovery of its reader.
-constexpr std::chrono::seconds kPatience{5};
+constexpr std::chrono::seconds kDiscoveryTimeout{5};
 constexpr std::size_t kMostWaiting = 1000;
 // How long the end of a service waits until its last replies have arrived.
-constexpr std::chrono::seconds kFarewell{1};
+constexpr std::chrono::seconds kAcknowledgementTimeout{1};
 
 struct WireEnds {
   Contract request;
@@ -41,12 +41,12 @@ ServerEnds::~ServerEnds() {
   reader_.reset();
   {
     std::unique_lock lock(mutex_);
-    // the reply to a request to quit ends the process
+    // waits for undiscovered readers: after the reply to a request to quit, the process ends
     if (!waiting_.empty()) sent_.wait_until(lock, waiting_.back().until, [this] { return waiting_.empty(); });
-    // readers still match and unmatch while the writer is destroyed, which must not be used then
+    // `readersChanged` is still called while the writer is destroyed: without replies it does not use the writer
     waiting_.clear();
   }
-  writer_->waitForAcknowledgement(kFarewell);
+  writer_->waitForAcknowledgement(kAcknowledgementTimeout);
   node_.removeWriter(writer_->id());
   writer_.reset();
 }
@@ -58,7 +58,7 @@ SampleId ServerEnds::callerOf(const Sample& request) {
 
 void ServerEnds::reply(const SampleId& caller, std::vector<std::byte> payload) {
   const std::lock_guard lock(mutex_);
-  Waiting reply{caller, std::move(payload), std::chrono::steady_clock::now() + kPatience};
+  Waiting reply{caller, std::move(payload), std::chrono::steady_clock::now() + kDiscoveryTimeout};
   if (send(reply)) return;
   waiting_.push_back(std::move(reply));
   if (waiting_.size() > kMostWaiting) waiting_.pop_front();
@@ -116,7 +116,7 @@ ClientEnds::~ClientEnds() {
   node_.removeReader(reader_->id());
   node_.removeWriter(writer_->id());
   {
-    // responses still arrive while the reader is destroyed, which must not be asked for its id then
+    // `received` is still called while the reader is destroyed: with 0 it does not use the reader
     const std::lock_guard lock(mutex_);
     awaited_ = 0;
   }
@@ -126,7 +126,7 @@ ClientEnds::~ClientEnds() {
 
 void ClientEnds::received(const Sample& sample) {
   const std::lock_guard lock(mutex_);
-  // responses to other clients may arrive before this constructor has finished
+  // 0: also before the constructor has set `reader_`; responses are for other clients then
   if (awaited_ == 0 || sample.related != SampleId{reader_->id(), awaited_}) return;
   answer_.emplace(sample.payload.begin(), sample.payload.end());
   changed_.notify_all();
@@ -136,7 +136,7 @@ std::optional<std::vector<std::byte>> ClientEnds::call(const std::vector<std::by
                                                        std::chrono::nanoseconds timeout) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   std::unique_lock lock(mutex_);
-  // polls as well, because the writer reports readers without holding this lock
+  // polls as well: a notification may come between the check and the wait, as it is sent without the lock
   while (!writer_->hasReaders() || reader_->writers() == 0) {
     if (std::chrono::steady_clock::now() >= deadline) return std::nullopt;
     changed_.wait_for(lock, std::chrono::milliseconds(10));

@@ -98,12 +98,12 @@ class RosServer {
 
 namespace detail {
 
-/// Hands a request to its handler, with whom to answer.
+/// Calls the handler with a request that has been read, and the client to answer.
 using Handling = std::function<void(const std::weak_ptr<ServerEnds>& ends, const SampleId& caller)>;
-/// Reads a request of some type.
-/// @return How it is handled; where the payload is none, nothing, and `error` says why.
+/// Reads a request.
+/// @return The call of its handler; empty, with the reason in `error`, if the payload is invalid.
 using ReadRequest = std::function<Handling(std::span<const std::byte> payload, std::string& error)>;
-/// Offers a service of any types.
+/// Offers a service, for any types.
 std::unique_ptr<RosServer> serve(RosNode& node, const std::string& service, const ServerEnds::Types& types,
                                  ReadRequest read);
 

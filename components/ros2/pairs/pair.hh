@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "pongsim/bulk.hh"
 #include "pongsim/message.hh"
@@ -26,43 +25,17 @@ using Sink = std::function<void(std::size_t size, const Fill& fill)>;
 /// thread at a time.
 class ToRos {
  public:
-  /// For the types of one pair.
-  class Conversion {
-   public:
-    virtual ~Conversion() = default;
-    virtual void convert(const Message& from, const Bulk* bulk, const Sink& to) = 0;
-  };
-
-  /// Cannot be called yet.
-  ToRos() = default;
-  explicit ToRos(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  virtual ~ToRos() = default;
   /// @param bulk Content of the message's bytes field if it is stored separately; else null.
-  void operator()(const Message& from, const Bulk* bulk, const Sink& to) const { conversion_->convert(from, bulk, to); }
-
- private:
-  std::unique_ptr<Conversion> conversion_;
+  virtual void convert(const Message& from, const Bulk* bulk, const Sink& to) = 0;
 };
 
 /// Converts ROS payloads to messages; for one thread at a time.
 class ToIgnition {
  public:
-  /// For the types of one pair.
-  class Conversion {
-   public:
-    virtual ~Conversion() = default;
-    virtual const Message* convert(std::span<const std::byte> payload, std::string& error) = 0;
-  };
-
-  /// Cannot be called yet.
-  ToIgnition() = default;
-  explicit ToIgnition(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  virtual ~ToIgnition() = default;
   /// @return The message, valid until the next call; null, with the reason in `error`, if the payload is invalid.
-  const Message* operator()(std::span<const std::byte> payload, std::string& error) const {
-    return conversion_->convert(payload, error);
-  }
-
- private:
-  std::unique_ptr<Conversion> conversion_;
+  virtual const Message* convert(std::span<const std::byte> payload, std::string& error) = 0;
 };
 
 /// Two types that convert to each other.
@@ -78,8 +51,8 @@ struct Pair {
   TypeInfo (*type)();
   /// The ROS type's definition, in the .msg language.
   std::string (*definition)();
-  ToRos (*toRos)(const Frames& frames);
-  ToIgnition (*toIgnition)(const Frames& frames);
+  std::unique_ptr<ToRos> (*toRos)(const Frames& frames);
+  std::unique_ptr<ToIgnition> (*toIgnition)(const Frames& frames);
 };
 
 /// Whether topics of the ignition type use this pair by default. One of the pairs for each ignition type is the
@@ -91,7 +64,7 @@ enum class Choice { kDefault, kOnRequest };
 ///     struct TwistPair {
 ///       using Ros = geometry_msgs::Twist;
 ///       using Ignition = ignition::msgs::Twist;
-///       static constexpr bool kMustBeFinite = true;   // a command: what has a NaN in it is refused
+///       static constexpr bool kMustBeFinite = true;   // a command: refused if a number in it is not finite
 ///       static void convert(const Ignition& from, Ros& to, const Frames& frames);
 ///       static void convert(const Ros& from, Ignition& to, const Frames& frames);
 ///     };
@@ -124,7 +97,7 @@ struct RosTypeOf<P> {
 };
 
 template <class P>
-class PairToRos final : public ToRos::Conversion {
+class PairToRos final : public ToRos {
  public:
   explicit PairToRos(const Frames& frames) : frames_(frames) {}
 
@@ -150,7 +123,7 @@ class PairToRos final : public ToRos::Conversion {
 };
 
 template <class P>
-class PairToIgnition final : public ToIgnition::Conversion {
+class PairToIgnition final : public ToIgnition {
  public:
   explicit PairToIgnition(const Frames& frames) : frames_(frames) {}
 
@@ -176,12 +149,12 @@ class PairToIgnition final : public ToIgnition::Conversion {
 };
 
 template <class P>
-ToRos toRosOf(const Frames& frames) {
-  return ToRos(std::make_unique<PairToRos<P>>(frames));
+std::unique_ptr<ToRos> toRosOf(const Frames& frames) {
+  return std::make_unique<PairToRos<P>>(frames);
 }
 template <class P>
-ToIgnition toIgnitionOf(const Frames& frames) {
-  return ToIgnition(std::make_unique<PairToIgnition<P>>(frames));
+std::unique_ptr<ToIgnition> toIgnitionOf(const Frames& frames) {
+  return std::make_unique<PairToIgnition<P>>(frames);
 }
 
 }  // namespace detail

@@ -85,7 +85,7 @@ void differences(const Value& a, const Value& b, const std::string& name, std::s
 template <class Ros>
 Ros heardBy(const Pair& pair, const Message& message, const Frames& frames = {}) {
   std::vector<std::byte> payload;
-  pair.toRos(frames)(message, nullptr, [&payload](std::size_t size, const Fill& fill) {
+  pair.toRos(frames)->convert(message, nullptr, [&payload](std::size_t size, const Fill& fill) {
     payload.resize(size);
     fill(payload);
   });
@@ -104,18 +104,18 @@ void goesThereAndBack(const std::string& ignition, const std::set<std::string>& 
   SCOPED_TRACE(nameOf<Ros>() + " | " + ignition);
   const Pair* pair = findPair(nameOf<Ros>(), "ignition.msgs." + ignition);
   ASSERT_NE(pair, nullptr);
-  const ToIgnition toIgnition = pair->toIgnition({});
-  const ToRos toRos = pair->toRos({});
+  const std::unique_ptr<ToIgnition> toIgnition = pair->toIgnition({});
+  const std::unique_ptr<ToRos> toRos = pair->toRos({});
   // the second time, to find leftovers of the first
   for (int i = 0; i < 2; ++i) {
     Ros sent;
     Filler().fill(sent);
     if (adjust) adjust(sent);
     std::string error;
-    const Message* message = toIgnition(toCdr(sent), error);
+    const Message* message = toIgnition->convert(toCdr(sent), error);
     ASSERT_NE(message, nullptr) << error;
     std::vector<std::byte> payload;
-    toRos(*message, nullptr, [&payload](std::size_t size, const Fill& fill) {
+    toRos->convert(*message, nullptr, [&payload](std::size_t size, const Fill& fill) {
       payload.resize(size);
       fill(payload);
     });
@@ -188,9 +188,10 @@ TEST(Pairs, OfJointStatesHaveNoNumberForWhatTheyDoNotSay) {
   state.position = {1};
   std::vector<std::byte> payload(cdrSize(state));
   writeCdr(state, payload);
-  const ToIgnition convert = findPair("sensor_msgs/msg/JointState", "ignition.msgs.Model")->toIgnition({});
+  const std::unique_ptr<ToIgnition> toIgnition =
+      findPair("sensor_msgs/msg/JointState", "ignition.msgs.Model")->toIgnition({});
   std::string error;
-  const auto* message = static_cast<const ignition::msgs::Model*>(convert(payload, error));
+  const auto* message = static_cast<const ignition::msgs::Model*>(toIgnition->convert(payload, error));
   ASSERT_NE(message, nullptr) << error;
   ASSERT_EQ(message->joint_size(), 2);
   EXPECT_EQ(message->joint(0).axis1().position(), 1);
@@ -226,8 +227,8 @@ TEST(Pairs, OfGpsFixGoThereAndBackByItsVelocity) {
   const Pair* pair = findPair("gps_msgs/msg/GPSFix", "ignition.msgs.NavSat");
   ASSERT_NE(pair, nullptr);
   std::string error;
-  const ToIgnition toIgnition = pair->toIgnition({});
-  const Message* message = toIgnition(toCdr(sent), error);
+  const std::unique_ptr<ToIgnition> toIgnition = pair->toIgnition({});
+  const Message* message = toIgnition->convert(toCdr(sent), error);
   ASSERT_NE(message, nullptr) << error;
   const gps_msgs::GPSFix heard = heardBy<gps_msgs::GPSFix>(*pair, *message);
   EXPECT_EQ(heard.latitude, 47.5);
@@ -336,7 +337,8 @@ TEST(Pairs, RefuseCommandsThatAreNotFinite) {
   geometry_msgs::Twist twist;
   twist.linear.x = std::numeric_limits<double>::quiet_NaN();
   std::string error;
-  EXPECT_EQ(findPair("geometry_msgs/msg/Twist", "ignition.msgs.Twist")->toIgnition({})(toCdr(twist), error), nullptr);
+  EXPECT_EQ(findPair("geometry_msgs/msg/Twist", "ignition.msgs.Twist")->toIgnition({})->convert(toCdr(twist), error),
+            nullptr);
   EXPECT_NE(error.find("not finite"), std::string::npos) << error;
 }
 

@@ -64,7 +64,7 @@ class Ros2TopicEncoder final : public TopicEncoder {
       throw std::runtime_error(std::to_string(message.size()) + " bytes are not of type " + message_->GetTypeName());
     }
     for (std::size_t i = 0; i < conversions_.size(); ++i) {
-      conversions_[i](*message_, nullptr, [this](std::size_t size, const Fill& fill) {
+      conversions_[i]->convert(*message_, nullptr, [this](std::size_t size, const Fill& fill) {
         payload_.resize(size);
         fill(payload_);
       });
@@ -74,7 +74,7 @@ class Ros2TopicEncoder final : public TopicEncoder {
 
  private:
   std::vector<EncodedTopic> topics_;
-  std::vector<ToRos> conversions_;
+  std::vector<std::unique_ptr<ToRos>> conversions_;
   MessagePointer message_;
   std::vector<std::byte> payload_;
 };

@@ -6,40 +6,41 @@
 
 namespace pongsim::ros2 {
 
-void JointStates::add(const std::string& topic, const std::vector<Part>& parts) {
-  Told& told = told_.emplace_back();
-  for (const Part& part : parts) {
-    for (const TreeLink& link : part.robot->tree.links) {
+void JointStates::add(const std::string& name, const std::vector<RobotJoints>& robots) {
+  JointTopic& topic = topics_.emplace_back();
+  for (const RobotJoints& each : robots) {
+    for (const TreeLink& link : each.robot->tree.links) {
       if (!link.source) continue;
-      told.axes.emplace_back(*link.source, link.sourceAxis);
-      told.message.name.push_back(part.prefix + link.joint);
+      topic.axes.emplace_back(*link.source, link.sourceAxis);
+      topic.message.name.push_back(each.prefix + link.joint);
     }
   }
-  const std::size_t count = told.axes.size();
-  told.message.position.resize(count);
-  told.message.velocity.resize(count);
-  told.message.effort.resize(count);
-  told.publisher = ros_.advertise<sensor_msgs::JointState>(topic);
+  const std::size_t count = topic.axes.size();
+  topic.message.position.resize(count);
+  topic.message.velocity.resize(count);
+  topic.message.effort.resize(count);
+  topic.publisher = ros_.advertise<sensor_msgs::JointState>(name);
 }
 
 void JointStates::postUpdate(Time now) {
-  const bool isRead = std::ranges::any_of(told_, [](const Told& told) { return told.publisher->hasReaders(); });
+  const bool isRead =
+      std::ranges::any_of(topics_, [](const JointTopic& topic) { return topic.publisher->hasReaders(); });
   if (!isRead || !schedule_.isDue(now)) return;
   const builtin_interfaces::Time stamp = stampOf(now, frames_);
-  for (Told& told : told_) {
-    if (told.publisher->hasReaders()) tell(told, stamp);
+  for (JointTopic& topic : topics_) {
+    if (topic.publisher->hasReaders()) publish(topic, stamp);
   }
 }
 
-void JointStates::tell(Told& told, const builtin_interfaces::Time& stamp) const {
-  told.message.header.stamp = stamp;
-  for (std::size_t i = 0; i < told.axes.size(); ++i) {
-    const auto& [joint, axis] = told.axes[i];
-    told.message.position[i] = joint.position(axis);
-    told.message.velocity[i] = joint.velocity(axis);
-    told.message.effort[i] = jointEffort(joint, axis);
+void JointStates::publish(JointTopic& topic, const builtin_interfaces::Time& stamp) const {
+  topic.message.header.stamp = stamp;
+  for (std::size_t i = 0; i < topic.axes.size(); ++i) {
+    const auto& [joint, axis] = topic.axes[i];
+    topic.message.position[i] = joint.position(axis);
+    topic.message.velocity[i] = joint.velocity(axis);
+    topic.message.effort[i] = jointEffort(joint, axis);
   }
-  told.publisher->publish(told.message);
+  topic.publisher->publish(topic.message);
 }
 
 }  // namespace pongsim::ros2

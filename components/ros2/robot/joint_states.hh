@@ -22,31 +22,31 @@ class JointStates {
       : ros_(ros), frames_(frames), schedule_(periodOf(rate)) {}
 
   /// The part of a topic's messages that describes one robot.
-  struct Part {
+  struct RobotJoints {
     const Robot* robot = nullptr;
     /// Prefix for the joints' names.
     std::string prefix = {};
   };
   /// Forgets all topics; call it, followed by `add`, when robots have been added or removed.
-  void clear() { told_.clear(); }
-  void add(const std::string& topic, const std::vector<Part>& parts);
+  void clear() { topics_.clear(); }
+  void add(const std::string& name, const std::vector<RobotJoints>& robots);
 
   void postUpdate(Time now);
   /// Call when time starts again.
   void reset() { schedule_.reset(); }
 
  private:
-  struct Told {
+  struct JointTopic {
     std::unique_ptr<RosPublisher> publisher;
     std::vector<std::pair<Joint, int>> axes;
     sensor_msgs::JointState message;
   };
-  void tell(Told& told, const builtin_interfaces::Time& stamp) const;
+  void publish(JointTopic& topic, const builtin_interfaces::Time& stamp) const;
 
   RosNode& ros_;
   Frames frames_;
   Schedule schedule_;
-  std::list<Told> told_;
+  std::list<JointTopic> topics_;
 };
 
 }  // namespace pongsim::ros2

@@ -16,19 +16,19 @@ std::string descriptionOf(const World& world, const Robot& robot, std::vector<st
 }
 
 void RobotDescriptions::follow(const std::vector<Topic>& topics) {
-  std::erase_if(told_, [&topics](const Told& told) {
-    return std::ranges::find(topics, told.topic.name, &Topic::name) == topics.end();
+  std::erase_if(descriptions_, [&topics](const Description& description) {
+    return std::ranges::find(topics, description.topic.name, &Topic::name) == topics.end();
   });
   for (const Topic& topic : topics) {
-    const auto known =
-        std::ranges::find_if(told_, [&topic](const Told& told) { return told.topic.name == topic.name; });
-    Told& told = known != told_.end() ? *known : told_.emplace_back();
+    const auto known = std::ranges::find_if(
+        descriptions_, [&topic](const Description& description) { return description.topic.name == topic.name; });
+    Description& description = known != descriptions_.end() ? *known : descriptions_.emplace_back();
     const ModelId model = topic.robot->model.id();
-    if (told.model != model) told.isTold = false;
-    told.model = model;
-    told.topic = topic;
-    if (told.publisher != nullptr) continue;
-    told.publisher = ros_.advertise<std_msgs::String>(topic.name, kLatchedQos, [this] { ++readersVersion_; });
+    if (description.model != model) description.isPublished = false;
+    description.model = model;
+    description.topic = topic;
+    if (description.publisher != nullptr) continue;
+    description.publisher = ros_.advertise<std_msgs::String>(topic.name, kLatchedQos, [this] { ++readersVersion_; });
   }
   ++readersVersion_;
 }
@@ -36,16 +36,16 @@ void RobotDescriptions::follow(const std::vector<Topic>& topics) {
 void RobotDescriptions::preUpdate() {
   if (readersVersion_.load(std::memory_order_relaxed) == knownReaders_) return;
   knownReaders_ = readersVersion_;
-  for (Told& told : told_) {
-    if (told.isTold || !told.publisher->hasReaders()) continue;
-    told.isTold = true;
+  for (Description& description : descriptions_) {
+    if (description.isPublished || !description.publisher->hasReaders()) continue;
+    description.isPublished = true;
     std::vector<std::string> warnings;
     std_msgs::String message;
-    message.data = descriptionOf(world_, *told.topic.robot, warnings);
+    message.data = descriptionOf(world_, *description.topic.robot, warnings);
     for (const std::string& warning : warnings) {
-      ros_.log().warning("the URDF of '" + told.topic.robot->name + "': " + warning);
+      ros_.log().warning("the URDF of '" + description.topic.robot->name + "': " + warning);
     }
-    told.publisher->publish(message);
+    description.publisher->publish(message);
   }
 }
 

@@ -33,11 +33,11 @@ class RobotDescriptions {
   void preUpdate();
 
  private:
-  struct Told {
+  struct Description {
     Topic topic;
-    /// The robot that was published, because its place in memory may be reused for another.
+    /// The model that was published: `topic.robot` may point to another robot at the same address.
     ModelId model;
-    bool isTold = false;
+    bool isPublished = false;
     std::unique_ptr<RosPublisher> publisher;
   };
 
@@ -45,7 +45,7 @@ class RobotDescriptions {
   RosNode& ros_;
   std::atomic<std::uint64_t> readersVersion_ = 1;
   std::uint64_t knownReaders_ = 0;
-  std::list<Told> told_;
+  std::list<Description> descriptions_;
 };
 
 }  // namespace pongsim::ros2

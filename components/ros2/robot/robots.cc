@@ -76,21 +76,21 @@ void Robots::follow() {
 
 void Robots::nameTopics() {
   std::vector<RobotDescriptions::Topic> descriptions;
-  std::vector<JointStates::Part> all;
+  std::vector<JointStates::RobotJoints> all;
   jointStates_.clear();
   const bool areSeveral = list_.robots().size() > 1;
   const auto describe = [&](const std::string& topic, const Robot& robot) {
     if (robotSettings_.tellsDescription && !isRuled(topic)) descriptions.push_back({topic, &robot});
   };
-  const auto tellJoints = [&](const std::string& topic, const std::vector<JointStates::Part>& parts) {
-    if (robotSettings_.tellsJointStates && !isRuled(topic)) jointStates_.add(topic, parts);
+  const auto addJointStates = [&](const std::string& topic, const std::vector<JointStates::RobotJoints>& robots) {
+    if (robotSettings_.tellsJointStates && !isRuled(topic)) jointStates_.add(topic, robots);
   };
   for (const Robot& robot : list_.robots()) {
     all.push_back({&robot, areSeveral ? robot.name + "/" : ""});
     describe(areSeveral ? nameOf(robot, kDescription) : plainName(kDescription), robot);
-    if (areSeveral) tellJoints(nameOf(robot, kJointStates), {{&robot}});
+    if (areSeveral) addJointStates(nameOf(robot, kJointStates), {{&robot}});
   }
-  if (!all.empty()) tellJoints(plainName(kJointStates), all);
+  if (!all.empty()) addJointStates(plainName(kJointStates), all);
   descriptions_.follow(descriptions);
   if (areSeveral && robotSettings_.tellsDescription) {
     ros_.log().info("there are " + std::to_string(all.size()) + " robots: '" + plainName(kDescription) +

@@ -93,7 +93,7 @@ void SimulateSteps::preUpdate(const StepInfo& info) {
 void SimulateSteps::postUpdate(const StepInfo& info) {
   if (!running_ || info.paused) return;
   running_->completed = info.iteration - running_->first;
-  server_.tell(running_->id, {running_->completed, running_->steps - running_->completed});
+  server_.publishFeedback(running_->id, {running_->completed, running_->steps - running_->completed});
   if (running_->completed == running_->asked && running_->asked < running_->steps) askForSteps();
 }
 

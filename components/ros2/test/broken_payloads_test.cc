@@ -149,11 +149,11 @@ TEST(BrokenPayloads, OfCommandsThatAreNotFiniteDoNotGetIn) {
   for (const Pair& pair : allPairs()) {
     const auto type = std::ranges::find(allTypes(), pair.ros, &AnyType::name);
     if (type == allTypes().end()) continue;
-    const ToIgnition read = pair.toIgnition({});
+    const std::unique_ptr<ToIgnition> read = pair.toIgnition({});
     std::string error;
     // only types that accept a payload of ones
-    EXPECT_NE(read(type->filled(), error), nullptr) << pair.ros << ": " << error;
-    if (read(type->filledWith(std::numeric_limits<double>::quiet_NaN()), error) == nullptr) {
+    EXPECT_NE(read->convert(type->filled(), error), nullptr) << pair.ros << ": " << error;
+    if (read->convert(type->filledWith(std::numeric_limits<double>::quiet_NaN()), error) == nullptr) {
       EXPECT_EQ(error, "a number in it is not finite") << pair.ros;
       refused.insert(std::string(pair.ros));
     }
