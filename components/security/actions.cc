@@ -250,8 +250,8 @@ int list(const Options& options) {
     array.push_back(jsonOf(entry));
   }
   if (!options.asJson && text.empty()) cli::say("keystore '" + keystore + "' has no identity");
-  const int printed = cli::print(options.asJson ? array.dump(2) + "\n" : text);
-  return isFine ? printed : cli::kFailed;
+  const bool isPrinted = cli::print(options.asJson ? array.dump(2) + "\n" : text);
+  return isPrinted && isFine ? cli::kDone : cli::kFailed;
 }
 
 }  // namespace actions

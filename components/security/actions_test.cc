@@ -13,6 +13,7 @@
 
 #include "pongsim/program/keystore.hh"
 #include "security/authority.hh"
+#include "shared/program/console.hh"
 #include "shared/program/failure.hh"
 #include "support/temp_folder.hh"
 
@@ -90,6 +91,21 @@ class Keystore : public testing::Test {
   fs::path keys_ = fs::canonical(folder_.path()) / "keys";
   fs::path own_ = keys_ / "enclaves/pongsim";
 };
+
+TEST_F(Keystore, IsListedWithSuccessUnlessAnIdentityCantBeUsed) {
+  const auto list = [this] {
+    Options options;
+    options.keystore = keys_.string();
+    testing::internal::CaptureStdout();
+    const int code = actions::list(options);
+    const std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_TRUE(text.starts_with("/pongsim\n")) << text;
+    return code;
+  };
+  EXPECT_EQ(list(), cli::kDone);
+  fs::remove(own_ / "cert.pem");
+  EXPECT_EQ(list(), cli::kFailed);
+}
 
 TEST_F(Keystore, IsLaidOutAsThatOfSros2AndForItsOwnerAlone) {
   for (const char* file : {"private/ca.key.pem", "public/ca.cert.pem", "enclaves/governance.xml",
