@@ -54,11 +54,11 @@ TEST_F(Cache, RemembersAPart) {
   const fs::path file = folder_.path() / "note";
   EXPECT_FALSE(PartialDownload::read(file));
   PartialDownload{3, "\"tag\"", true}.write(file);
-  const std::optional<PartialDownload> part = PartialDownload::read(file);
-  ASSERT_TRUE(part);
-  EXPECT_EQ(part->version, 3);
-  EXPECT_EQ(part->validator, "\"tag\"");
-  EXPECT_TRUE(part->isLinked);
+  const std::optional<PartialDownload> partial = PartialDownload::read(file);
+  ASSERT_TRUE(partial);
+  EXPECT_EQ(partial->version, 3);
+  EXPECT_EQ(partial->validator, "\"tag\"");
+  EXPECT_TRUE(partial->isLinked);
   for (const char* text : {"", "{", "[]", "{}", "{\"version\": \"x\", \"validator\": 1, \"linked\": 2}"}) {
     folder_.write("note", text);
     EXPECT_FALSE(PartialDownload::read(file)) << text;

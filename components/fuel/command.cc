@@ -115,32 +115,32 @@ void addActions(CLI::App& program, cli::Work& work) {
   addHeader(*list, given);
   addOffline(*list, given);
 
-  CLI::App* about = add("info", "Describe a model or world, on its server and in the cache", actions::info);
-  addAddress(*about, given, false);
-  about->add_flag("--cached", given->cached, "Only from the cache");
-  addHeader(*about, given);
-  addOffline(*about, given);
+  CLI::App* info = add("info", "Describe a model or world, on its server and in the cache", actions::info);
+  addAddress(*info, given, false);
+  info->add_flag("--cached", given->cached, "Only from the cache");
+  addHeader(*info, given);
+  addOffline(*info, given);
 
-  CLI::App* load =
+  CLI::App* download =
       add("download", "Download models, worlds or collections into the cache, with everything they refer to",
           actions::download);
-  addAddress(*load, given, true);
-  load->add_option("-t,--type", given->type, "Only these of a collection")->type_name("model|world");
-  addJobs(*load, given);
-  addHeader(*load, given);
-  addOffline(*load, given);
+  addAddress(*download, given, true);
+  download->add_option("-t,--type", given->type, "Only these of a collection")->type_name("model|world");
+  addJobs(*download, given);
+  addHeader(*download, given);
+  addOffline(*download, given);
 
-  CLI::App* away = add("delete", "Delete a model or world from its server, or from the cache", actions::remove);
-  addAddress(*away, given, false);
-  away->add_flag("--cached", given->cached, "From the cache");
-  addHeader(*away, given);
-  addOffline(*away, given);
+  CLI::App* remove = add("delete", "Delete a model or world from its server, or from the cache", actions::remove);
+  addAddress(*remove, given, false);
+  remove->add_flag("--cached", given->cached, "From the cache");
+  addHeader(*remove, given);
+  addOffline(*remove, given);
 
-  CLI::App* newer = add("update", "Update everything in the cache to the newest version", actions::update);
-  newer->add_flag("--onlymodels", given->onlyModels, "Models only");
-  newer->add_flag("--onlyworlds", given->onlyWorlds, "Worlds only")->excludes("--onlymodels");
-  addJobs(*newer, given);
-  addHeader(*newer, given);
+  CLI::App* update = add("update", "Update everything in the cache to the newest version", actions::update);
+  update->add_flag("--onlymodels", given->onlyModels, "Models only");
+  update->add_flag("--onlyworlds", given->onlyWorlds, "Worlds only")->excludes("--onlymodels");
+  addJobs(*update, given);
+  addHeader(*update, given);
 
   add("check", "Report broken entries in the cache", actions::check);
   add("fetch", "", actions::fetch)->group("");

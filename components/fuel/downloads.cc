@@ -321,8 +321,8 @@ void Downloads::loadZip(FuelServer& server, FuelAddress& address, const Workplac
 
 void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workplace& workplace) {
   const std::string name = nameOf(address);
-  const std::optional<PartialDownload> part = PartialDownload::read(workplace.note);
-  const bool isUsable = part && !part->validator.empty() && part->version == address.version.value_or(0);
+  const std::optional<PartialDownload> partial = PartialDownload::read(workplace.note);
+  const bool isUsable = partial && !partial->validator.empty() && partial->version == address.version.value_or(0);
   const std::uint64_t have = isUsable ? sizeOf(workplace.zip) : 0;
   std::optional<ZipFile> file;
   int version = 0;
@@ -348,7 +348,7 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
     progress_.begin(name, goesOn ? have : 0, length == 0 ? 0 : length + (goesOn ? have : 0));
   };
   try {
-    server.zip(address, have, isUsable ? part->validator : "", isUsable && part->isLinked, begin,
+    server.zip(address, have, isUsable ? partial->validator : "", isUsable && partial->isLinked, begin,
                [&](std::string_view bytes) {
                  file->write(bytes);
                  progress_.add(name, bytes.size());

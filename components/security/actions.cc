@@ -145,29 +145,29 @@ std::string patternsOf(const SecureIdentity& identity, std::vector<std::string> 
   return text.empty() ? "no topic" : text;
 }
 
-std::string textOf(const ListedIdentity& entry) {
-  if (!entry.error.empty()) {
-    return entry.name + "\n  error:       " + entry.error +
-           (entry.hint.empty() ? "\n" : "\n  hint:        " + entry.hint + "\n");
+std::string textOf(const ListedIdentity& listed) {
+  if (!listed.error.empty()) {
+    return listed.name + "\n  error:       " + listed.error +
+           (listed.hint.empty() ? "\n" : "\n  hint:        " + listed.hint + "\n");
   }
-  return entry.name + "\n  subject:     " + entry.identity.subject +
-         "\n  valid until: " + dayOf(entry.identity.validUntil) +
-         "\n  publishes:   " + patternsOf(entry.identity, &TopicRule::publish) +
-         "\n  subscribes:  " + patternsOf(entry.identity, &TopicRule::subscribe) + "\n";
+  return listed.name + "\n  subject:     " + listed.identity.subject +
+         "\n  valid until: " + dayOf(listed.identity.validUntil) +
+         "\n  publishes:   " + patternsOf(listed.identity, &TopicRule::publish) +
+         "\n  subscribes:  " + patternsOf(listed.identity, &TopicRule::subscribe) + "\n";
 }
 
-nlohmann::json jsonOf(const ListedIdentity& entry) {
-  nlohmann::json object = {{"name", entry.name}};
-  if (!entry.error.empty()) {
-    object["error"] = entry.error;
+nlohmann::json jsonOf(const ListedIdentity& listed) {
+  nlohmann::json object = {{"name", listed.name}};
+  if (!listed.error.empty()) {
+    object["error"] = listed.error;
     return object;
   }
-  object["folder"] = entry.identity.folder;
-  object["subject"] = entry.identity.subject;
-  object["validFrom"] = dayOf(entry.identity.validFrom);
-  object["validUntil"] = dayOf(entry.identity.validUntil);
+  object["folder"] = listed.identity.folder;
+  object["subject"] = listed.identity.subject;
+  object["validFrom"] = dayOf(listed.identity.validFrom);
+  object["validUntil"] = dayOf(listed.identity.validUntil);
   object["rules"] = nlohmann::json::array();
-  for (const TopicRule& rule : entry.identity.rules) {
+  for (const TopicRule& rule : listed.identity.rules) {
     object["rules"].push_back({{"allowed", rule.isAllowed},
                                {"domains", rule.domains},
                                {"publish", rule.publish},
@@ -244,10 +244,10 @@ int list(const Options& options) {
   std::string text;
   bool isFine = true;
   for (const std::string& name : identitiesOf(keystore)) {
-    const ListedIdentity entry = listedIdentity(keystore, name);
-    isFine = isFine && entry.error.empty();
-    text += textOf(entry);
-    array.push_back(jsonOf(entry));
+    const ListedIdentity listed = listedIdentity(keystore, name);
+    isFine = isFine && listed.error.empty();
+    text += textOf(listed);
+    array.push_back(jsonOf(listed));
   }
   if (!options.asJson && text.empty()) cli::say("keystore '" + keystore + "' has no identity");
   const bool isPrinted = cli::print(options.asJson ? array.dump(2) + "\n" : text);

@@ -29,7 +29,7 @@ struct ConvertCommandLine {
   std::vector<std::string> topics;
   std::string compression = "zstd";
   bool overwrites = false;
-  Ros2Wish ros2;
+  Ros2Choice ros2;
 };
 
 /// A temporary file beside the destination, which replaces it when it is complete.

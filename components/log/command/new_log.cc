@@ -36,10 +36,10 @@ void checkRos2Name(const fs::path& file) {
   }
 }
 
-std::unique_ptr<EncodedWriter> newRos2Log(const fs::path& file, const McapOptions& options, const Ros2Wish& wish) {
+std::unique_ptr<EncodedWriter> newRos2Log(const fs::path& file, const McapOptions& options, const Ros2Choice& ros2) {
   checkRos2Name(file);
   checkPlace(file, options);
-  return std::make_unique<EncodedWriter>(file, options, ros2Encoder(wish),
+  return std::make_unique<EncodedWriter>(file, options, ros2Encoder(ros2),
                                          [](const std::string& what) { cli::say("warning: " + what); });
 }
 

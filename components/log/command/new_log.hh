@@ -23,7 +23,7 @@ void checkRos2Name(const std::filesystem::path& file);
 /// @return A writer for ROS messages, which reports what it leaves out.
 /// @throws Like `newLog`, `checkRos2Name` and `ros2Encoder`.
 std::unique_ptr<EncodedWriter> newRos2Log(const std::filesystem::path& file, const McapOptions& options,
-                                          const Ros2Wish& wish);
+                                          const Ros2Choice& ros2);
 
 /// Call at the end of such a log.
 /// @param hasLeftOut Whether some messages were left out.

@@ -35,11 +35,11 @@ struct RecordCommandLine {
   std::optional<std::string> output, pattern, duration, network;
   std::string compression = "zstd";
   bool overwrites = false;
-  Ros2Wish ros2;
+  Ros2Choice ros2;
 };
 
 /// The name that `ign log record` uses, except for the extension.
-std::string defaultName(const Ros2Wish& ros2) {
+std::string defaultName(const Ros2Choice& ros2) {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   localtime_r(&now, &parts);
@@ -52,7 +52,7 @@ std::string counted(std::uint64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-void sayUnheard(const Recording& recording, const TopicChoice& choice) {
+void warnOfSilentTopics(const Recording& recording, const TopicChoice& choice) {
   for (const std::string& topic : choice.names()) {
     if (!recording.hasHeard(topic)) cli::say("warning: no messages on '" + topic + "'");
   }
@@ -109,7 +109,7 @@ int record(RecordCommandLine& given) {
     if (writer->messages() == 0 && writer->hasLeftOut()) removeEmpty(file);
     requireSomeOfRos2(*writer, writer->hasLeftOut(), "the recorded topics");
     sayWritten(writer->messages(), writer->topics(), file);
-    sayUnheard(recording, choice);
+    warnOfSilentTopics(recording, choice);
     return cli::kDone;
   }
   const std::unique_ptr<Writer> writer =
@@ -119,7 +119,7 @@ int record(RecordCommandLine& given) {
   writer->close();
   sayLost(recording);
   sayWritten(recording.messages(), recording.topics(), file);
-  sayUnheard(recording, choice);
+  warnOfSilentTopics(recording, choice);
   return cli::kDone;
 }
 

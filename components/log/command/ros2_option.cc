@@ -20,22 +20,22 @@ std::string placed(const Diagnostic& diagnostic) {
 
 }  // namespace
 
-void addRos2Options(CLI::App& action, Ros2Wish& wish) {
-  action.add_flag("--ros2", wish.isWanted, "Write ROS 2 messages, for 'ros2 bag play'; MCAP only");
+void addRos2Options(CLI::App& action, Ros2Choice& ros2) {
+  action.add_flag("--ros2", ros2.isWanted, "Write ROS 2 messages, for 'ros2 bag play'; MCAP only");
   action
       .add_option_function<std::string>(
           "--ros2-config",
-          [&wish](const std::string& file) {
-            wish.isWanted = true;
-            wish.configFile = file;
+          [&ros2](const std::string& file) {
+            ros2.isWanted = true;
+            ros2.configFile = file;
           },
           "... with the names and types of a ros_gz_bridge configuration")
       ->type_name("FILE");
 }
 
-std::unique_ptr<MessageEncoder> ros2Encoder(const Ros2Wish& wish) {
+std::unique_ptr<MessageEncoder> ros2Encoder(const Ros2Choice& ros2) {
   EncoderSettings settings;
-  if (wish.configFile) settings["config_file"] = *wish.configFile;
+  if (ros2.configFile) settings["config_file"] = *ros2.configFile;
   Diagnostics diagnostics;
   std::unique_ptr<MessageEncoder> encoder = makeMessageEncoder("ros2", settings, diagnostics);
   const Diagnostic* last = nullptr;

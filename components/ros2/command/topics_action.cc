@@ -49,7 +49,7 @@ struct TopicsCommandLine {
 };
 
 /// The messages that passed during the measurement.
-struct Watched {
+struct Measurement {
   Param_V topics;
   /// From the first to the last request [s].
   double seconds = 0;
@@ -113,14 +113,14 @@ std::optional<Param_V> ask(Transport& transport, const std::string& world) {
   return std::nullopt;
 }
 
-std::optional<Watched> watch(Transport& transport, const TopicsCommandLine& given, const std::string& world) {
+std::optional<Measurement> measure(Transport& transport, const TopicsCommandLine& given, const std::string& world) {
   const auto before = ask(transport, world);
   if (!before) return std::nullopt;
   const Clock::time_point start = Clock::now();
   std::this_thread::sleep_for(std::chrono::duration<double>(given.duration));
   const auto after = ask(transport, world);
   if (!after) return std::nullopt;
-  return Watched{*after, std::chrono::duration<double>(Clock::now() - start).count(), *before};
+  return Measurement{*after, std::chrono::duration<double>(Clock::now() - start).count(), *before};
 }
 
 std::string text(const Param& topic, const char* name) {
@@ -137,13 +137,13 @@ double number(const Param& topic, const char* name) {
 }
 
 /// @return Messages per second during the measurement.
-double rateOf(const Watched& watched, const Param& topic, const char* counter) {
+double rateOf(const Measurement& measured, const Param& topic, const char* counter) {
   double before = 0;
-  for (const Param& each : watched.before.param()) {
+  for (const Param& each : measured.before.param()) {
     if (text(each, "ros") == text(topic, "ros") && text(each, "ignition") == text(topic, "ignition"))
       before = number(each, counter);
   }
-  return watched.seconds > 0 ? std::max(0.0, number(topic, counter) - before) / watched.seconds : 0;
+  return measured.seconds > 0 ? std::max(0.0, number(topic, counter) - before) / measured.seconds : 0;
 }
 
 std::string counted(double count, const char* what) {
@@ -156,18 +156,18 @@ std::string rateText(double rate) {
   return words;
 }
 
-std::string tableOf(const Watched& watched) {
+std::string tableOf(const Measurement& measured) {
   std::vector<std::vector<std::string>> rows;
-  for (const Param& topic : watched.topics.param()) {
+  for (const Param& topic : measured.topics.param()) {
     const bool toRos = flag(topic, "to_ros"), fromRos = flag(topic, "from_ros");
     std::string passed;
     if (toRos) {
       passed = "to ROS: " + counted(number(topic, "readers"), "reader") + ", " +
-               rateText(rateOf(watched, topic, "sent")) + ", " + counted(number(topic, "dropped"), "drop");
+               rateText(rateOf(measured, topic, "sent")) + ", " + counted(number(topic, "dropped"), "drop");
     }
     if (fromRos) {
       passed += std::string(toRos ? "; " : "") + "from ROS: " + counted(number(topic, "writers"), "writer") + ", " +
-                rateText(rateOf(watched, topic, "received")) + ", " +
+                rateText(rateOf(measured, topic, "received")) + ", " +
                 std::to_string(static_cast<std::uint64_t>(number(topic, "refused"))) + " refused";
     }
     rows.push_back({text(topic, "ros") + " [" + text(topic, "ros_type") + "]", toRos ? fromRos ? "<->" : "<-" : "->",
@@ -176,17 +176,17 @@ std::string tableOf(const Watched& watched) {
   return alignedRows(rows);
 }
 
-std::string jsonOf(const Watched& watched) {
+std::string jsonOf(const Measurement& measured) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Param& topic : watched.topics.param()) {
+  for (const Param& topic : measured.topics.param()) {
     nlohmann::ordered_json& added = list.emplace_back();
     for (const char* name : {"ros", "ros_type", "ignition", "ignition_type"}) added[name] = text(topic, name);
     for (const char* name : {"to_ros", "from_ros"}) added[name] = flag(topic, name);
     for (const char* name : {"readers", "writers", "sent", "received", "dropped", "refused"}) {
       added[name] = static_cast<std::uint64_t>(number(topic, name));
     }
-    added["hz_to_ros"] = rateOf(watched, topic, "sent");
-    added["hz_from_ros"] = rateOf(watched, topic, "received");
+    added["hz_to_ros"] = rateOf(measured, topic, "sent");
+    added["hz_from_ros"] = rateOf(measured, topic, "received");
   }
   return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -197,13 +197,13 @@ int listTopics(const TopicsCommandLine& given) {
   Transport transport;
   const std::optional<std::string> world = findWorld(transport, given);
   if (!world) return cli::kFailed;
-  std::optional<Watched> watched = watch(transport, given, *world);
-  if (!watched) return cli::kFailed;
-  std::sort(watched->topics.mutable_param()->begin(), watched->topics.mutable_param()->end(),
+  std::optional<Measurement> measured = measure(transport, given, *world);
+  if (!measured) return cli::kFailed;
+  std::sort(measured->topics.mutable_param()->begin(), measured->topics.mutable_param()->end(),
             [](const Param& a, const Param& b) { return text(a, "ros") < text(b, "ros"); });
-  if (given.asJson) return cli::print(jsonOf(*watched)) ? cli::kDone : cli::kFailed;
-  if (watched->topics.param_size() == 0) cli::say("no topics are bridged");
-  return cli::print(tableOf(*watched)) ? cli::kDone : cli::kFailed;
+  if (given.asJson) return cli::print(jsonOf(*measured)) ? cli::kDone : cli::kFailed;
+  if (measured->topics.param_size() == 0) cli::say("no topics are bridged");
+  return cli::print(tableOf(*measured)) ? cli::kDone : cli::kFailed;
 }
 
 /// @throws cli::UsageError unless it is a number from 0 to `most`.

@@ -42,8 +42,9 @@ ModelJson jsonOfPose(const Pose& pose) {
   return {{"position", jsonOfVector(pose.position)}, {"rpy", jsonOfVector(rollPitchYawOf(pose.rotation))}};
 }
 
-bool isWanted(const std::optional<std::string>& asked, const EntityState& entity) {
-  return !asked || asked->empty() || *asked == entity.name;
+/// @param name The user's choice; unset or empty: all.
+bool isChosen(const std::optional<std::string>& name, const EntityState& entity) {
+  return !name || name->empty() || *name == entity.name;
 }
 
 std::string idOf(const EntityState& entity) { return "[" + std::to_string(entity.id) + "]"; }
@@ -91,7 +92,7 @@ class ModelTeller::Printer {
   void addLinks(std::size_t indent) {
     const bool isAlone = parts_.sensor && !parts_.sensor->empty();
     for (const EntityState* link : teller_.childrenOf(model_.id, Kind::kLink)) {
-      if (!isWanted(parts_.link, *link)) continue;
+      if (!isChosen(parts_.link, *link)) continue;
       if (!isAlone) addLink(indent, *link);
       addSensors(isAlone ? indent : indent + 2, *link);
     }
@@ -113,7 +114,7 @@ class ModelTeller::Printer {
 
   void addSensors(std::size_t indent, const EntityState& holder) {
     for (const EntityState* sensor : teller_.childrenOf(holder.id, Kind::kSensor)) {
-      if (!isWanted(parts_.sensor, *sensor)) continue;
+      if (!isChosen(parts_.sensor, *sensor)) continue;
       addHeader(indent, "Sensor", *sensor);
       addPose(indent + 2, *sensor);
       if (sensor->sensor) text_ += sensorText(sensor->sensor->settings, static_cast<int>(indent + 2));
@@ -123,7 +124,7 @@ class ModelTeller::Printer {
   void addJoints(std::size_t indent) {
     const bool areShown = parts_.areAll() || parts_.joint;
     for (const EntityState* joint : teller_.childrenOf(model_.id, Kind::kJoint)) {
-      if (!isWanted(parts_.joint, *joint)) continue;
+      if (!isChosen(parts_.joint, *joint)) continue;
       if (areShown) addJoint(indent, *joint);
       if (parts_.areAll() || parts_.sensor) addSensors(areShown ? indent + 2 : indent, *joint);
     }
@@ -249,7 +250,7 @@ std::string ModelTeller::json(std::uint64_t id, const ModelParts& parts) const {
   const auto sensorsOf = [&](const EntityState& holder) {
     ModelJson list = ModelJson::array();
     for (const EntityState* sensor : childrenOf(holder.id, Kind::kSensor)) {
-      if (!isWanted(parts.sensor, *sensor)) continue;
+      if (!isChosen(parts.sensor, *sensor)) continue;
       list.push_back(describe(*sensor));
       if (sensor->sensor) list.back()["type"] = sensor->sensor->type;
     }
@@ -261,7 +262,7 @@ std::string ModelTeller::json(std::uint64_t id, const ModelParts& parts) const {
   if (all || parts.link || parts.sensor) json["links"] = ModelJson::array();
   if (all || parts.joint || parts.sensor) json["joints"] = ModelJson::array();
   for (const EntityState* link : childrenOf(id, Kind::kLink)) {
-    if (!json.contains("links") || !isWanted(parts.link, *link)) continue;
+    if (!json.contains("links") || !isChosen(parts.link, *link)) continue;
     ModelJson& added = json["links"].emplace_back(describe(*link));
     if (link->inertial) {
       const Matrix3& I = link->inertial->moments;
@@ -273,7 +274,7 @@ std::string ModelTeller::json(std::uint64_t id, const ModelParts& parts) const {
     added["sensors"] = sensorsOf(*link);
   }
   for (const EntityState* joint : childrenOf(id, Kind::kJoint)) {
-    if (!json.contains("joints") || !isWanted(parts.joint, *joint)) continue;
+    if (!json.contains("joints") || !isChosen(parts.joint, *joint)) continue;
     ModelJson& added = json["joints"].emplace_back(describe(*joint));
     added["type"] = joint->jointType;
     added["parent"] = joint->parentLink;

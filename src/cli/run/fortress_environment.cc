@@ -41,7 +41,7 @@ bool isMet(std::string_view name, std::string_view value) {
 
 }  // namespace
 
-std::vector<std::string> unheardVariables() {
+std::vector<std::string> ignoredVariables() {
   std::vector<std::string> sentences;
   for (const Variable& variable : kVariables) {
     const char* value = std::getenv(variable.name);

@@ -7,6 +7,6 @@ namespace pongsim::cli {
 
 /// @return One sentence for each environment variable that is set and has an effect in Fortress but not here: its name,
 /// and what to use instead.
-std::vector<std::string> unheardVariables();
+std::vector<std::string> ignoredVariables();
 
 }  // namespace pongsim::cli

@@ -15,12 +15,12 @@ class FortressEnvironment : public testing::Test {
   }
 };
 
-TEST_F(FortressEnvironment, IsQuietWhereNothingIsSet) { EXPECT_TRUE(unheardVariables().empty()); }
+TEST_F(FortressEnvironment, IsQuietWhereNothingIsSet) { EXPECT_TRUE(ignoredVariables().empty()); }
 
 TEST_F(FortressEnvironment, TellsWhatChangesNothing) {
   setenv("IGN_IP", "192.168.1.20", 1);
   setenv("IGN_TRANSPORT_PASSWORD", "secret", 1);
-  const std::vector<std::string> sentences = unheardVariables();
+  const std::vector<std::string> sentences = ignoredVariables();
   ASSERT_EQ(sentences.size(), 2U);
   EXPECT_EQ(sentences[0], "IGN_IP has no effect on pongsim's own topics: use PONGSIM_NETWORK to reach other machines");
   EXPECT_TRUE(sentences[1].starts_with("IGN_TRANSPORT_PASSWORD has no effect on pongsim's own topics: "))
@@ -30,7 +30,7 @@ TEST_F(FortressEnvironment, TellsWhatChangesNothing) {
 TEST_F(FortressEnvironment, IsQuietWhereItIsSoAnyway) {
   setenv("IGN_IP", "127.0.0.1", 1);
   setenv("IGN_TRANSPORT_PASSWORD", "", 1);
-  EXPECT_TRUE(unheardVariables().empty());
+  EXPECT_TRUE(ignoredVariables().empty());
 }
 
 }  // namespace

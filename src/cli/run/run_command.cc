@@ -149,14 +149,14 @@ std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t w
 }
 
 /// Warns about Fortress options and variables that have no effect.
-void warnOfUnheard(const FortressRunOptions& options) {
+void warnOfIgnored(const FortressRunOptions& options) {
   for (const std::string& sentence : options.check()) say("warning: " + sentence);
-  for (const std::string& sentence : unheardVariables()) say("warning: " + sentence);
+  for (const std::string& sentence : ignoredVariables()) say("warning: " + sentence);
 }
 
 int runWorlds(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
-  if (options.verbosity >= LogLevel::kWarning) warnOfUnheard(options.fortress);
+  if (options.verbosity >= LogLevel::kWarning) warnOfIgnored(options.fortress);
   base::reportCrashes();
   StopSignal signal;
   Transport transport({.announceLater = true});
