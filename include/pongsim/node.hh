@@ -22,12 +22,11 @@ namespace pongsim {
 class Publisher;
 
 namespace transport {
+class AnyType;
 class Bus;
 class DispatchQueue;
-class GatewayState;
 class Inbox;
-class PublisherState;
-class SubscriptionState;
+struct PublisherState;
 }  // namespace transport
 
 struct PublisherOptions {
@@ -47,9 +46,6 @@ struct SubscriptionOptions {
   /// Most messages that wait for `dispatch`, at least 1; their total size is limited to 64 MiB unless it is a single
   /// message. Then the oldest is dropped and counted.
   std::size_t queueLength = 1000;
-  /// Most messages per second of wall time, above 0; others are skipped without being counted. Unset: all. For
-  /// monitoring: what a system receives in this way is not reproducible.
-  std::optional<double> messagesPerSecond = std::nullopt;
   /// Largest magnitude of floating-point numbers. A message with a larger one, one that is not finite, or a time beyond
   /// 4e9 s is refused with a warning that names the number and the limit. Unset: all are accepted. Not for
   /// `subscribeBytes`. See `commands.hh`.
@@ -78,11 +74,7 @@ using ReceivedOfAnyType = std::function<void(std::string_view type, std::span<co
 /// Publishes messages of one type on one topic, as long as it exists. Must not outlive its `Transport`.
 class PONGSIM_API Publisher {
  public:
-  Publisher();
-  explicit Publisher(std::unique_ptr<transport::PublisherState> state);
-  Publisher(Publisher&&) noexcept;
-  Publisher& operator=(Publisher&&) noexcept;
-  ~Publisher();
+  Publisher() = default;
 
   explicit operator bool() const { return state_ != nullptr; }
 
@@ -118,20 +110,22 @@ class PONGSIM_API Publisher {
   bool waitForDelivery(std::chrono::nanoseconds timeout) const;
 
  private:
+  friend class Node;
   friend class transport::Inbox;
-  std::unique_ptr<transport::PublisherState> state_;
+  struct PONGSIM_API End {
+    void operator()(transport::PublisherState* state) const;
+  };
+  explicit Publisher(transport::PublisherState* state) : state_(state) {}
+
+  std::unique_ptr<transport::PublisherState, End> state_;
 };
 
 /// A subscription, until it is destroyed: its function is not called afterwards. Must not outlive its `Transport`.
 class PONGSIM_API Subscription {
  public:
-  Subscription();
-  explicit Subscription(std::unique_ptr<transport::SubscriptionState> state);
-  Subscription(Subscription&&) noexcept;
-  Subscription& operator=(Subscription&&) noexcept;
-  ~Subscription();
+  Subscription() = default;
 
-  explicit operator bool() const { return state_ != nullptr; }
+  explicit operator bool() const { return bus_ != nullptr; }
 
   /// @return Messages received so far, without dropped ones.
   std::uint64_t received() const;
@@ -141,7 +135,18 @@ class PONGSIM_API Subscription {
   std::uint64_t dropped() const;
 
  private:
-  std::unique_ptr<transport::SubscriptionState> state_;
+  friend class Node;
+  /// What is ended: a subscription to one type, or to any type.
+  struct PONGSIM_API End {
+    transport::Inbox* inbox;
+    transport::AnyType* any;
+    void operator()(transport::Bus* bus) const;
+  };
+  Subscription(transport::Bus& bus, const End& end) : bus_(&bus, end) {}
+  template <class Count>
+  std::uint64_t sum(const Count& count) const;
+
+  std::unique_ptr<transport::Bus, End> bus_;
 };
 
 /// A topic in this process and others.
@@ -207,8 +212,9 @@ class PONGSIM_API CallGuard {
   /// The same for a function object.
   template <class Function>
   void call(Moment moment, Function&& function) {
+    using Plain = std::remove_cvref_t<Function>;
     call(
-        moment, [](void* data) { (*static_cast<std::remove_reference_t<Function>*>(data))(); }, &function);
+        moment, [](void* data) { (*static_cast<Plain*>(data))(); }, const_cast<Plain*>(&function));
   }
 };
 
@@ -235,7 +241,7 @@ class PONGSIM_API Node {
 
   /// Calls `received` within `Transport::dispatch` with each message of that type on the topic, in the order of
   /// arrival. The message is valid during the call.
-  /// @throws std::invalid_argument for an invalid name, an unknown type or a rate that is not above 0.
+  /// @throws std::invalid_argument for an invalid name or an unknown type.
   Subscription subscribe(std::string_view topic, std::string_view type, std::function<void(const Message&)> received,
                          const SubscriptionOptions& options = {});
 
@@ -313,12 +319,11 @@ class PONGSIM_API Node {
   Publisher advertise(std::string_view topic, const PublisherOptions& options = {}) {
     return advertise(topic, M::descriptor()->full_name(), options);
   }
-  template <class M>
-  Subscription subscribe(std::string_view topic, std::function<void(const M&)> received,
-                         const SubscriptionOptions& options = {}) {
+  template <class M, class Received>
+  Subscription subscribe(std::string_view topic, Received received, const SubscriptionOptions& options = {}) {
     return subscribe(
         topic, M::descriptor()->full_name(),
-        [received = std::move(received)](const Message& message) { received(static_cast<const M&>(message)); },
+        [received = std::move(received)](const Message& message) mutable { received(static_cast<const M&>(message)); },
         options);
   }
   template <class Request, class Reply>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,9 +14,9 @@
 namespace pongsim {
 
 namespace transport {
-class GatewayState;
-class RequestState;
-class ServiceState;
+class Bus;
+class Offer;
+class ServiceClient;
 }  // namespace transport
 
 /// The response of a service to a request.
@@ -69,16 +70,18 @@ using Answered = std::function<void(const CallResult& result, const Message& rep
 /// receives the request. Must not outlive its `Transport`.
 class PONGSIM_API PendingRequest {
  public:
-  PendingRequest();
-  explicit PendingRequest(std::unique_ptr<transport::RequestState> state);
-  PendingRequest(PendingRequest&&) noexcept;
-  PendingRequest& operator=(PendingRequest&&) noexcept;
-  ~PendingRequest();
+  PendingRequest() = default;
 
-  explicit operator bool() const { return state_ != nullptr; }
+  explicit operator bool() const { return client_ != nullptr; }
 
  private:
-  std::unique_ptr<transport::RequestState> state_;
+  friend class Node;
+  struct PONGSIM_API Forget {
+    std::uint64_t number;
+    void operator()(transport::ServiceClient* client) const;
+  };
+
+  std::unique_ptr<transport::ServiceClient, Forget> client_;
 };
 
 /// A service offered by a transport.
@@ -97,20 +100,22 @@ struct OwnService {
 using CallElsewhere = std::function<std::optional<CallResult>(const std::string& service, const Message& request,
                                                               Message& reply, std::chrono::nanoseconds timeout)>;
 
-/// Access to services elsewhere, as long as it exists. Must not outlive its `Transport`.
+/// Access to services elsewhere, as long as it exists. Must not outlive its `Transport`. Its end waits until current
+/// calls of its function have returned; it is not called afterwards.
 class PONGSIM_API Gateway {
  public:
-  Gateway();
-  explicit Gateway(std::unique_ptr<transport::GatewayState> state);
-  Gateway(Gateway&&) noexcept;
-  Gateway& operator=(Gateway&&) noexcept;
-  /// Waits until current calls of its function have returned; it is not called afterwards.
-  ~Gateway();
+  Gateway() = default;
 
-  explicit operator bool() const { return state_ != nullptr; }
+  explicit operator bool() const { return client_ != nullptr; }
 
  private:
-  std::unique_ptr<transport::GatewayState> state_;
+  friend class Node;
+  struct PONGSIM_API End {
+    std::uint64_t number;
+    void operator()(transport::ServiceClient* client) const;
+  };
+
+  std::unique_ptr<transport::ServiceClient, End> client_;
 };
 
 /// A service in other processes.
@@ -127,20 +132,23 @@ struct ServiceInfo {
   std::vector<Provider> providers;
 };
 
-/// A service that is offered, as long as this exists. Must not outlive its `Transport`.
+/// A service that is offered, as long as this exists. Must not outlive its `Transport`. Its end waits, up to half a
+/// second, until callers have received the last replies; the function is not called afterwards.
 class PONGSIM_API Service {
  public:
-  Service();
-  explicit Service(std::unique_ptr<transport::ServiceState> state);
-  Service(Service&&) noexcept;
-  Service& operator=(Service&&) noexcept;
-  /// Waits, up to half a second, until callers have received the last replies; the function is not called afterwards.
-  ~Service();
+  Service() = default;
 
-  explicit operator bool() const { return state_ != nullptr; }
+  explicit operator bool() const { return bus_ != nullptr; }
 
  private:
-  std::unique_ptr<transport::ServiceState> state_;
+  friend class Node;
+  struct PONGSIM_API End {
+    transport::Offer* offer;
+    void operator()(transport::Bus* bus) const;
+  };
+  Service(transport::Bus& bus, transport::Offer& offer) : bus_(&bus, {&offer}) {}
+
+  std::unique_ptr<transport::Bus, End> bus_;
 };
 
 }  // namespace pongsim

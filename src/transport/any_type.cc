@@ -1,5 +1,5 @@
-// How the bus hears messages of any type on a topic. DDS matches readers with writers by type, so that there is a
-// reader for each type that somebody writes. DDS's threads tell of writers, and must not make readers: `dispatch` does.
+// The bus's subscriptions to messages of any type. DDS matches readers with writers by type, so there is a reader for
+// each published type. New types are found on DDS's threads, which must not make readers; `dispatch` makes them.
 #include "transport/any_type.hh"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace pongsim::transport {
 
 namespace {
 
-// A process that publishes ever new types must not make this one open readers without end.
+// Bounds the readers that another process can make this one open by publishing ever new types.
 constexpr std::size_t kMostTypes = 64;
 
 const Logger& anyTypeLog() {
@@ -27,27 +27,28 @@ const Logger& anyTypeLog() {
 }  // namespace
 
 AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
-                         const SubscriptionOptions& options) {
-  const std::lock_guard lock(setUp_);
+                         const SubscriptionOptions& options, CallGuard* guard) {
+  const SetUpLock lock(setUp_);
   auto owned = std::make_unique<AnyType>();
   AnyType& any = *owned;
   any.topic = absoluteTopic(topic);
   any.queue = &queue;
   any.received = std::make_shared<const ReceivedOfAnyType>(std::move(received));
   any.options = options;
-  // now, for the publisher may have gone when the first inbox is made
+  any.guard = guard;
+  // evaluated now: the publisher may have ended when the first inbox is made
   any.except = Inbox::excepted(options);
   any.options.except = nullptr;
   std::vector<std::string> types;
   try {
     if (network_) {
-      // before the readers of types, so that others know that these are not all it takes
+      // first, so that others do not take the readers of single types for ordinary ones
       any.announcement = network_->makeReader(any.topic, std::string(kAnyType), [](const ParticipantId&, Buffer&) {});
       network_->directory().addOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
       any.isListed = true;
     }
     {
-      const std::lock_guard anyTypesLock(mutex_);
+      const WaitingLock anyTypesLock(delivery_.mutex);
       anyTypes_.push_back(std::move(owned));
     }
     types = typesOn(any.topic);
@@ -61,7 +62,16 @@ AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedO
   return any;
 }
 
-/// @return The types of a topic's publishers, here and elsewhere. With the set-up mutex held.
+std::vector<AnyType*> Bus::anyTypesOn(const std::string& topic) {
+  std::vector<AnyType*> found;
+  const WaitingLock lock(delivery_.mutex);
+  for (const auto& any : anyTypes_) {
+    if (any->topic == topic) found.push_back(any.get());
+  }
+  return found;
+}
+
+/// @return The types of a topic's publishers, here and elsewhere.
 std::vector<std::string> Bus::typesOn(const std::string& topic) const {
   std::vector<std::string> types;
   for (const auto& [key, channel] : channels_) {
@@ -73,36 +83,34 @@ std::vector<std::string> Bus::typesOn(const std::string& topic) const {
   return types;
 }
 
-/// With the set-up mutex held.
 std::unique_ptr<AnyType> Bus::takeAnyType(const AnyType& any) {
-  const std::lock_guard anyTypesLock(mutex_);
+  const WaitingLock anyTypesLock(delivery_.mutex);
   const auto found = std::ranges::find(anyTypes_, &any, &std::unique_ptr<AnyType>::get);
   std::unique_ptr<AnyType> owned = std::move(*found);
   anyTypes_.erase(found);
   return owned;
 }
 
-/// With the set-up mutex held.
 void Bus::endAnnouncement(AnyType& any) {
   if (any.isListed) network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
   if (any.announcement) network_->end(std::move(any.announcement));
 }
 
-void Bus::endAnyType(AnyType& any) {
-  const std::lock_guard dispatchLock(any.queue->dispatching);
+void Bus::end(AnyType& any) {
+  const DispatchLock dispatchLock(any.queue->dispatching);
   std::unique_ptr<AnyType> owned;
   {
-    const std::lock_guard lock(setUp_);
+    const SetUpLock lock(setUp_);
     owned = takeAnyType(any);
   }
   if (!any.options.relays) ++any.queue->ownTopicsVersion;
-  for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
-  const std::lock_guard lock(setUp_);
+  for (Inbox* inbox : any.inboxesNow(delivery_)) end(*inbox);
+  const SetUpLock lock(setUp_);
   endAnnouncement(any);
 }
 
 /// Makes an inbox for a type, unless there is one. Where that fails, there is a warning and nothing else: whoever
-/// advertises the type does not fail, too. With the set-up mutex held.
+/// advertises the type does not fail, too.
 void Bus::hear(AnyType& any, const std::string& type) noexcept {
   try {
     addInboxOf(any, type);
@@ -117,92 +125,62 @@ void Bus::hear(AnyType& any, const std::string& type) noexcept {
 
 void Bus::addInboxOf(AnyType& any, const std::string& type) {
   if (type == kAnyType) return;
-  const auto isOf = [&type](const Inbox* inbox) { return inbox->channel().type == type; };
-  if (std::ranges::any_of(any.inboxes, isOf)) return;
-  if (any.inboxes.size() >= kMostTypes) {
+  const std::vector<Inbox*> inboxes = any.inboxesNow(delivery_);
+  const auto isOf = [&type](const Inbox* inbox) { return inbox->channel.type == type; };
+  if (std::ranges::any_of(inboxes, isOf)) return;
+  if (inboxes.size() >= kMostTypes) {
     if (std::exchange(any.isFull, true)) return;
     anyTypeLog().warning("topic '" + any.topic + "': more than " + std::to_string(kMostTypes) +
                          " types are published; the others are not received, '" + type + "' first");
     return;
   }
   {
-    // before there is an inbox, which would have to go if this failed
-    const std::lock_guard inboxesLock(mutex_);
+    // the push_back below must not fail
+    const WaitingLock inboxesLock(delivery_.mutex);
     any.inboxes.reserve(any.inboxes.size() + 1);
   }
-  Inbox& added = inChannel(any.topic, type, [&](Channel& channel) -> Inbox& {
-    Inbox::ReceivedBytes received = [call = any.received, type](auto bytes) { (*call)(type, bytes); };
-    auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
+  Inbox* added = inChannel(any.topic, type, [&](Channel& channel) REQUIRES(setUpRole) {
+    auto inbox = std::make_unique<Inbox>(channel, *any.queue, any.received, any.options, any.guard);
     inbox->except = any.except;
-    return addInbox(*any.queue, channel, std::move(inbox));
+    return &addInbox(std::move(inbox));
   });
-  const std::lock_guard inboxesLock(mutex_);
-  any.inboxes.push_back(&added);
+  const WaitingLock inboxesLock(delivery_.mutex);
+  any.inboxes.push_back(added);
 }
 
 /// Called by DDS.
 void Bus::publisherFound(const std::string& topic, const std::string& type) {
-  const std::lock_guard lock(mutex_);
-  bool isMeant = false;
+  const WaitingLock lock(delivery_.mutex);
   for (const auto& any : anyTypes_) {
     if (any->topic != topic) continue;
-    isMeant = true;
+    any->queue->foundTypes.emplace_back(topic, type);
     any->queue->waiting = true;
     any->queue->arrived.notify_one();
   }
-  if (isMeant) foundTypes_.emplace_back(topic, type);
 }
 
+/// Makes the inboxes of types that were found, and ends subscriptions that ended while they heard.
 void Bus::hearFoundTypes(DispatchQueue& queue) {
   std::vector<std::pair<std::string, std::string>> found;
   std::vector<Inbox*> ended;
   {
-    const std::lock_guard foundLock(mutex_);
-    found.swap(foundTypes_);
+    const WaitingLock lock(delivery_.mutex);
+    found.swap(queue.foundTypes);
     ended.swap(queue.endedWhileHearing);
   }
-  for (Inbox* inbox : ended) endSubscription(*inbox);
+  for (Inbox* inbox : ended) end(*inbox);
   if (found.empty()) return;
-  const std::lock_guard lock(setUp_);
+  const SetUpLock lock(setUp_);
   for (const auto& [topic, type] : found) {
-    for (const auto& any : anyTypes_) {
-      if (any->topic == topic) hear(*any, type);
+    for (AnyType* any : anyTypesOn(topic)) {
+      if (any->queue == &queue) hear(*any, type);
     }
   }
 }
 
-std::uint64_t Bus::received(const AnyType& any) const {
-  const std::lock_guard lock(mutex_);
-  std::uint64_t sum = 0;
-  for (const Inbox* inbox : any.inboxes) sum += inbox->received();
-  return sum;
-}
-
-std::uint64_t Bus::dropped(const AnyType& any) const {
-  std::vector<Inbox*> inboxes;
-  {
-    const std::lock_guard lock(mutex_);
-    inboxes = any.inboxes;
-  }
-  std::uint64_t sum = 0;
-  for (const Inbox* inbox : inboxes) sum += dropped(*inbox);
-  return sum;
-}
-
-SubscriptionState::~SubscriptionState() {
-  if (AnyType** any = std::get_if<AnyType*>(&place_)) {
-    bus_.endAnyType(**any);
-  } else {
-    bus_.endSubscription(*std::get<Inbox*>(place_));
-  }
-}
-
-std::uint64_t SubscriptionState::received() const {
-  return std::visit([this](const auto* place) { return bus_.received(*place); }, place_);
-}
-
-std::uint64_t SubscriptionState::dropped() const {
-  return std::visit([this](const auto* place) { return bus_.dropped(*place); }, place_);
+std::vector<Inbox*> AnyType::inboxesNow(Delivery& delivery) const {
+  const WaitingLock lock(delivery.mutex);
+  return inboxes;
 }
 
 }  // namespace pongsim::transport

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pongsim/node.hh"
+#include "transport/delivery.hh"
 #include "transport/inbox.hh"
 #include "transport/network/endpoint.hh"
 
@@ -19,9 +20,11 @@ class AnyType {
   SubscriptionOptions options;
   /// A publisher whose messages it ignores, or null.
   const void* except = nullptr;
+  CallGuard* guard = nullptr;
 
-  /// One per type. Guarded by the bus's mutex; changed with its set-up mutex held too.
-  std::vector<Inbox*> inboxes;
+  /// One per type. Changed with the set-up mutex held, too.
+  std::vector<Inbox*> inboxes GUARDED_BY(waitingRole);
+  std::vector<Inbox*> inboxesNow(Delivery& delivery) const;
   /// Whether a warning about too many types was given.
   bool isFull = false;
 

@@ -11,8 +11,9 @@
 
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
-#include "transport/buffer_pool.hh"
 #include "transport/complaint_limit.hh"
+#include "transport/locks.hh"
+#include "transport/parcel.hh"
 
 namespace pongsim::transport {
 
@@ -21,37 +22,23 @@ class Inbox;
 class Reader;
 class Writer;
 
-class Channel;
-
-/// A call of subscriptions at once: one thread at a time, which may publish on the same topic in turn.
-class Hearing {
- public:
-  explicit Hearing(Channel& channel);
-  ~Hearing();
-  Hearing(const Hearing&) = delete;
-  Hearing& operator=(const Hearing&) = delete;
-
- private:
-  Channel& channel_;
-  const std::lock_guard<std::recursive_mutex> lock_;
-  const std::thread::id outer_;
-};
-
 /// A topic with one type of message: all its publishers and subscriptions in this process.
 class Channel {
  public:
-  Channel(std::string topic, std::string type);
+  /// @param unused The unused parcels of the type, for its messages.
+  Channel(std::string topic, std::string type, SpareParcels& unused);
   ~Channel();
 
   const std::string topic;
   const std::string type;
+  SpareParcels& spare;
 
-  /// Counts a publisher in (`change` 1) or out (-1). Needs the bus's set-up mutex.
-  void countPublisher(DispatchQueue& queue, const PublisherOptions& publisher, int change);
-  /// Counts a subscription in (1) or out (-1). Needs both mutexes of the bus.
-  void countSubscription(const Inbox& inbox, int change);
-  /// Updates `atOnceQueue` and `isAtOnceInSeveral` after a change of `atOnce`. Needs `hearing`.
-  void countAtOnceQueues();
+  /// Counts a publisher in (`change` 1) or out (-1).
+  void countPublisher(DispatchQueue& queue, const PublisherOptions& publisher, int change) REQUIRES(setUpRole);
+  /// Counts a subscription in (1) or out (-1).
+  void countSubscription(const Inbox& inbox, int change) REQUIRES(setUpRole, waitingRole);
+  /// Updates `atOnceQueue` and `isAtOnceInSeveral` after a change of `atOnce`.
+  void countAtOnceQueues() REQUIRES(hearingRole);
 
   /// @return Whether a publisher's messages go into inboxes: those of all ordinary subscriptions, and of subscriptions
   /// at once in other transports than the publisher's.
@@ -67,16 +54,16 @@ class Channel {
     int relayingSubscriptions = 0;
     int ownOnlySubscriptions = 0;
   };
-  /// In total, and by transport (its queue). Guarded by the bus's set-up mutex, as are the next two.
-  Users users;
-  std::map<const DispatchQueue*, Users> usersOf;
+  /// In total, and by transport (its queue).
+  Users users GUARDED_BY(setUpRole);
+  std::map<const DispatchQueue*, Users> usersOf GUARDED_BY(setUpRole);
   /// Sends to other processes; null without a publisher that does.
-  std::unique_ptr<Writer> writer;
+  std::unique_ptr<Writer> writer GUARDED_BY(setUpRole);
   /// Receives from other processes; null without a subscription that does.
-  std::unique_ptr<Reader> reader;
+  std::unique_ptr<Reader> reader GUARDED_BY(setUpRole);
 
-  /// All subscriptions, in the order of subscribing. Guarded by the bus's mutex.
-  std::vector<Inbox*> inboxes;
+  /// All subscriptions, in the order of subscribing.
+  std::vector<Inbox*> inboxes GUARDED_BY(waitingRole);
   /// Of ordinary subscriptions: those at once are in `atOnceCount`.
   std::atomic<int> inboxCount = 0;
   std::atomic<std::uint64_t> inboxesSoFar = 0;
@@ -84,10 +71,10 @@ class Channel {
 
   /// Guards `atOnce`. Held while the subscriptions' functions are called, which may publish in turn.
   std::recursive_mutex hearing;
-  /// The thread that calls such a function, if any. Written with `hearing` held.
+  /// The thread that holds it, if any.
   std::atomic<std::thread::id> hearer;
   /// Subscriptions that receive messages within `publish`.
-  std::vector<Inbox*> atOnce;
+  std::vector<Inbox*> atOnce GUARDED_BY(hearingRole);
   std::atomic<int> atOnceCount = 0;
   /// The first transport with such subscriptions, null without any, and whether there are others.
   std::atomic<const DispatchQueue*> atOnceQueue = nullptr;
@@ -95,13 +82,29 @@ class Channel {
   /// Subscriptions of either kind that relay.
   std::atomic<int> relayingCount = 0;
   /// A message that published bytes are parsed into for them, or null.
-  MessagePointer read;
+  MessagePointer read GUARDED_BY(hearingRole);
 
-  /// The last message, for later subscribers, or null. Guarded by the bus's mutex.
-  Buffer* latched = nullptr;
+  /// The last message, for later subscribers, or null.
+  Parcel* latched GUARDED_BY(waitingRole) = nullptr;
 
-  /// Limits warnings about bad messages. Guarded by the bus's mutex.
-  ComplaintLimit complaints;
+  /// Limits warnings about bad messages.
+  ComplaintLimit complaints GUARDED_BY(waitingRole);
+};
+
+/// Holds `hearing`: one thread at a time calls subscriptions at once, or changes their list.
+class SCOPED_CAPABILITY Hearing {
+ public:
+  explicit Hearing(Channel& channel) ACQUIRE(hearingRole)
+      : channel_(channel), lock_(channel.hearing), outer_(channel.hearer.exchange(std::this_thread::get_id())) {}
+  ~Hearing() RELEASE() { channel_.hearer = outer_; }
+  Hearing(const Hearing&) = delete;
+  Hearing& operator=(const Hearing&) = delete;
+
+ private:
+  Channel& channel_;
+  const std::lock_guard<std::recursive_mutex> lock_;
+  /// This thread, where it held the mutex already.
+  const std::thread::id outer_;
 };
 
 }  // namespace pongsim::transport

@@ -16,16 +16,13 @@ namespace {
 class ChannelTest : public testing::Test {
  protected:
   std::unique_ptr<Inbox> inbox(DispatchQueue& queue, const SubscriptionOptions& options = {}) {
-    auto made = std::make_unique<Inbox>(
-        channel_, [](std::span<const std::byte>) {}, options);
-    made->queue = &queue;
-    return made;
+    return std::make_unique<Inbox>(
+        channel_, queue, [](std::span<const std::byte>) {}, options);
   }
 
   std::unique_ptr<Inbox> inboxAtOnce(DispatchQueue& queue) {
-    auto made = inbox(queue);
-    made->heardAtOnce = [](const Message&, const Bulk*) {};
-    return made;
+    return std::make_unique<Inbox>(
+        channel_, queue, [](const Message&, const Bulk*) {}, SubscriptionOptions());
   }
 
   void add(Inbox& inbox) {
@@ -34,7 +31,8 @@ class ChannelTest : public testing::Test {
     channel_.countAtOnceQueues();
   }
 
-  Channel channel_{"/chatter", "ignition.msgs.StringMsg"};
+  SpareParcels spare_;
+  Channel channel_{"/chatter", "ignition.msgs.StringMsg", spare_};
   DispatchQueue own_, others_;
 };
 

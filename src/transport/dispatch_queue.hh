@@ -6,10 +6,13 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "transport/inbox.hh"
+#include "transport/locks.hh"
 #include "transport/services/service_server.hh"
 
 namespace pongsim::transport {
@@ -24,21 +27,23 @@ class DispatchQueue {
     return !waiting.load(kRelaxed) && !requestsWaiting.load(kRelaxed) && !answersWaiting.load(kRelaxed);
   }
 
-  /// Held during a dispatch; meanwhile no other thread can end a subscription or service of the queue. Locked before
-  /// the bus's mutexes. Guards the following members.
+  /// A queue whose services `ownServices` lists with this one's, or null.
+  const DispatchQueue* alsoLists = nullptr;
+
+  /// Held during a dispatch; meanwhile no other thread can end a subscription or service of the queue.
   std::recursive_mutex dispatching;
-  std::vector<Arrival> arrivals;
-  bool inDispatch = false;
+  std::vector<Arrival> arrivals GUARDED_BY(dispatchingRole);
+  bool inDispatch GUARDED_BY(dispatchingRole) = false;
   /// Ended within `dispatch`, and kept until it returns.
-  std::vector<Inbox*> endedInboxes;
-  std::vector<std::unique_ptr<Offer>> endedOffers;
+  std::vector<Inbox*> endedInboxes GUARDED_BY(dispatchingRole);
+  std::vector<std::unique_ptr<Offer>> endedOffers GUARDED_BY(dispatchingRole);
   /// What a called function has thrown; `dispatch` throws it when it has called the others.
-  std::exception_ptr failure;
+  std::exception_ptr failure GUARDED_BY(dispatchingRole);
 
   /// Calls a function of a subscription, service or request. Notes what it throws: the first exception in `failure`,
   /// others in the log.
   template <class Call>
-  void attempt(const Call& call) {
+  void attempt(const Call& call) REQUIRES(dispatchingRole) {
     try {
       call();
     } catch (...) {
@@ -49,11 +54,12 @@ class DispatchQueue {
   /// The dispatching thread.
   std::atomic<std::thread::id> dispatcher;
 
-  /// Guarded by the bus's mutex.
-  std::vector<Inbox*> inboxesWithArrivals;
+  std::vector<Inbox*> inboxesWithArrivals GUARDED_BY(waitingRole);
   /// Subscriptions at once that ended within their own function; `dispatch` removes them.
-  std::vector<Inbox*> endedWhileHearing;
-  bool woken = false;
+  std::vector<Inbox*> endedWhileHearing GUARDED_BY(waitingRole);
+  /// Topic and type of publishers found in other processes, where a subscription takes any type.
+  std::vector<std::pair<std::string, std::string>> foundTypes GUARDED_BY(waitingRole);
+  bool woken GUARDED_BY(waitingRole) = false;
   std::condition_variable arrived;
 
   /// Whether messages, requests, or responses from services of other queues may be waiting.
@@ -67,7 +73,7 @@ class DispatchQueue {
   std::atomic<std::uint64_t> ownTopicsVersion = 0;
 
  private:
-  void note(std::exception_ptr thrown);
+  void note(std::exception_ptr thrown) REQUIRES(dispatchingRole);
 };
 
 }  // namespace pongsim::transport

@@ -7,17 +7,16 @@
 
 #include "msgs/encoding/bytes.hh"
 #include "msgs/fields/number_check.hh"
-#include "transport/bus.hh"
+#include "transport/channel.hh"
+#include "transport/network/endpoint.hh"
+#include "transport/publisher.hh"
 
 namespace pongsim::transport {
 
 namespace {
 
-// What waits for one subscription, unless it is a single message.
+// Most bytes that wait for one subscription; a single message may be larger.
 constexpr std::size_t kMostInboxBytes = 64 << 20;
-
-// A rate below this is as good as no message at all, and fits the clock.
-constexpr double kLowestRate = 1e-6;
 
 /// @return Why a message with such numbers is refused, or nothing.
 std::optional<std::string> refusal(const Message& message, double largest) {
@@ -30,34 +29,19 @@ std::optional<std::string> refusal(const Message& message, double largest) {
 
 }  // namespace
 
-Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
-    : channel_(channel), limit_(std::max<std::size_t>(options.queueLength, 1)) {
-  except = excepted(options);
-  relays = options.relays;
-  ownOnly = options.ownOnly;
-  if (!options.messagesPerSecond) return;
-  const std::chrono::duration<double> period(1 / std::max(*options.messagesPerSecond, kLowestRate));
-  period_ = std::chrono::duration_cast<Clock::duration>(period);
-}
-
-Inbox::Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options)
-    : Inbox(channel, options) {
-  take_ = [message = std::shared_ptr<Message>(std::move(message)), received = std::move(received),
-           largest = options.largestNumber](auto bytes) -> std::optional<std::string> {
-    if (!msgs::parseBytes(bytes, *message)) return "is not of type " + msgs::typeName(*message);
-    if (largest) {
-      if (std::optional<std::string> fault = refusal(*message, *largest)) return fault;
-    }
-    received(*message);
-    return std::nullopt;
-  };
-}
-
-Inbox::Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options) : Inbox(channel, options) {
-  take_ = [received = std::move(received)](auto bytes) {
-    received(bytes);
-    return std::optional<std::string>();
-  };
+Inbox::Inbox(Channel& itsChannel, DispatchQueue& itsQueue, Function function, const SubscriptionOptions& options,
+             CallGuard* guard)
+    : channel(itsChannel),
+      queue(itsQueue),
+      relays(options.relays),
+      ownOnly(options.ownOnly),
+      except(excepted(options)),
+      function_(std::move(function)),
+      guard_(guard),
+      queueLength_(std::max<std::size_t>(options.queueLength, 1)),
+      largestNumber_(options.largestNumber) {
+  const bool takesMessages = std::holds_alternative<std::function<void(const Message&)>>(function_) || hearsMessages();
+  if (takesMessages) parsed_ = newMessage(channel.type);
 }
 
 Inbox::~Inbox() = default;
@@ -66,31 +50,22 @@ const void* Inbox::excepted(const SubscriptionOptions& options) {
   return options.except == nullptr ? nullptr : options.except->state_.get();
 }
 
-bool Inbox::hears(const PublisherState& publisher) const {
+bool Inbox::accepts(const PublisherState& publisher) const {
   return except != &publisher && !(relays && publisher.options.relays);
 }
 
-bool Inbox::wants() {
-  if (!period_) return true;
-  const Clock::time_point now = Clock::now();
-  if (now < next_) return false;
-  // the mean is kept where messages come unevenly, and a long silence is not made up for
-  next_ = now - next_ < *period_ ? next_ + *period_ : now + *period_;
-  return true;
+void Inbox::add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) {
+  ++added_;
+  waitingBytes_ += parcel->size;
+  while (size() >= queueLength_ || (size() > 0 && waitingBytes_ > kMostInboxBytes)) dropped.push_back(removeOldest());
+  waiting_.push_back({number, this, parcel});
 }
 
-void Inbox::add(std::uint64_t number, Buffer* buffer, std::vector<Buffer*>& dropped) {
-  ++came_;
-  waitingBytes_ += buffer->bytes.size();
-  while (size() >= limit_ || (size() > 0 && waitingBytes_ > kMostInboxBytes)) dropped.push_back(removeOldest());
-  waiting_.push_back({number, this, buffer});
-}
-
-Buffer* Inbox::removeOldest() {
-  Buffer* oldest = waiting_[first_++].buffer;
+Parcel* Inbox::removeOldest() {
+  Parcel* oldest = waiting_[first_++].parcel;
   ++dropped_;
-  waitingBytes_ -= oldest->bytes.size();
-  // the dropped ones' room is used again
+  waitingBytes_ -= oldest->size;
+  // reuses the room of dropped ones; amortized, since at least half of the elements are dropped ones
   if (first_ >= size()) {
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
     first_ = 0;
@@ -103,8 +78,8 @@ void Inbox::moveTo(std::vector<Arrival>& arrivals) {
   clear();
 }
 
-void Inbox::forgetUnread(const std::function<void(Buffer*)>& giveBack) {
-  for (std::size_t i = first_; i < waiting_.size(); ++i) giveBack(waiting_[i].buffer);
+void Inbox::forgetUnread(ParcelPool& pool) {
+  for (std::size_t i = first_; i < waiting_.size(); ++i) pool.giveBack(waiting_[i].parcel);
   clear();
 }
 
@@ -112,6 +87,63 @@ void Inbox::clear() {
   waiting_.clear();
   first_ = 0;
   waitingBytes_ = 0;
+}
+
+template <class Call>
+void Inbox::call(CallGuard::Moment moment, const Call& function) const {
+  if (guard_ == nullptr) return function();
+  guard_->call(moment, function);
+}
+
+std::optional<std::string> Inbox::handOver(const Parcel& parcel) {
+  constexpr auto kDispatch = CallGuard::Moment::kDispatch;
+  if (parsed_) {
+    const Message* message = nullptr;
+    if (std::optional<std::string> fault = read(parcel, message)) return fault;
+    if (const auto* heard = std::get_if<HeardAtOnce>(&function_)) {
+      const Hearing hearing(channel);
+      if (!ended) call(kDispatch, [&] { (*heard)(*message, nullptr); });
+    } else {
+      call(kDispatch, [&] { std::get<0>(function_)(*message); });
+    }
+    return std::nullopt;
+  }
+  const std::span<const std::byte> bytes = bytesOf(parcel);
+  if (const auto* heard = std::get_if<HeardBytesAtOnce>(&function_)) {
+    const Hearing hearing(channel);
+    const auto write = [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); };
+    if (!ended) call(kDispatch, [&] { (*heard)(bytes.size(), write); });
+  } else if (const auto* any = std::get_if<std::shared_ptr<const ReceivedOfAnyType>>(&function_)) {
+    call(kDispatch, [&] { (**any)(channel.type, bytes); });
+  } else {
+    call(kDispatch, [&] { std::get<1>(function_)(bytes); });
+  }
+  return std::nullopt;
+}
+
+/// Sets `message` to the parcel's content.
+/// @return Why that can't be used, or nothing.
+std::optional<std::string> Inbox::read(const Parcel& parcel, const Message*& message) {
+  message = parcel.bytes == nullptr ? parcel.message.get() : parsed_.get();
+  if (parcel.bytes != nullptr && !msgs::parseBytes(parcel.bytes->bytes, *parsed_)) {
+    return "is not of type " + msgs::typeName(*parsed_);
+  }
+  return largestNumber_ ? refusal(*message, *largestNumber_) : std::nullopt;
+}
+
+std::span<const std::byte> Inbox::bytesOf(const Parcel& parcel) {
+  if (parcel.bytes != nullptr) return parcel.bytes->bytes;
+  serialized_.resize(msgs::byteSize(*parcel.message));
+  msgs::writeBytes(*parcel.message, serialized_);
+  return serialized_;
+}
+
+void Inbox::hear(const Message& message, const Bulk* bulk) const {
+  call(CallGuard::Moment::kPublish, [&] { std::get<HeardAtOnce>(function_)(message, bulk); });
+}
+
+void Inbox::hearBytes(std::size_t size, const std::function<void(std::span<std::byte>)>& write) const {
+  call(CallGuard::Moment::kPublish, [&] { std::get<HeardBytesAtOnce>(function_)(size, write); });
 }
 
 }  // namespace pongsim::transport

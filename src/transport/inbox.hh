@@ -1,108 +1,113 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
-#include "transport/buffer_pool.hh"
+#include "transport/locks.hh"
+#include "transport/parcel.hh"
 
 namespace pongsim::transport {
 
 class Channel;
 class DispatchQueue;
-class PublisherState;
+class Reader;
+struct PublisherState;
 
 /// A message for one subscription.
 struct Arrival {
   /// Counted since the transport's start, over all subscriptions.
   std::uint64_t number = 0;
   class Inbox* inbox = nullptr;
-  Buffer* buffer = nullptr;
+  Parcel* parcel = nullptr;
 };
 
-/// Waiting messages of one subscription. Not thread-safe.
+/// A subscription: its function, and the messages that wait for it.
 class Inbox {
  public:
-  using Received = std::function<void(const Message&)>;
-  using ReceivedBytes = std::function<void(std::span<const std::byte>)>;
+  /// What a subscription calls: a function for messages or for bytes, later or at once, or for bytes of any type.
+  using Function = std::variant<std::function<void(const Message&)>, std::function<void(std::span<const std::byte>)>,
+                                HeardAtOnce, HeardBytesAtOnce, std::shared_ptr<const ReceivedOfAnyType>>;
 
-  /// @param message Messages are parsed into it.
-  Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options);
-  Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options);
+  /// @param guard Makes the calls of the function; may be null.
+  Inbox(Channel& channel, DispatchQueue& queue, Function function, const SubscriptionOptions& options,
+        CallGuard* guard = nullptr);
   ~Inbox();
 
   /// @return The publisher that a subscription with these options ignores, or null.
   static const void* excepted(const SubscriptionOptions& options);
 
-  /// @return Whether a message that arrives now is accepted, given the subscription's maximum rate.
-  bool wants();
-
-  /// Appends a buffer. If there is no room, the oldest ones are moved to `dropped` and counted.
-  void add(std::uint64_t number, Buffer* buffer, std::vector<Buffer*>& dropped);
-
+  /// Appends a message. If there is no room, the oldest ones are moved to `dropped` and counted.
+  void add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) REQUIRES(waitingRole);
   /// Moves all waiting messages to the end of `arrivals`.
-  void moveTo(std::vector<Arrival>& arrivals);
+  void moveTo(std::vector<Arrival>& arrivals) REQUIRES(waitingRole);
   /// Forgets all waiting messages. Takes no memory.
-  void forgetUnread(const std::function<void(Buffer*)>& giveBack);
-
-  std::size_t size() const { return waiting_.size() - first_; }
+  void forgetUnread(ParcelPool& pool) REQUIRES(waitingRole);
+  std::size_t size() const REQUIRES(waitingRole) { return waiting_.size() - first_; }
   /// Without dropped ones.
-  std::uint64_t received() const { return came_ - dropped_; }
-  std::uint64_t dropped() const { return dropped_; }
-  Channel& channel() const { return channel_; }
+  std::uint64_t received() const REQUIRES(waitingRole) { return added_ - dropped_; }
+  std::uint64_t dropped() const REQUIRES(waitingRole) { return dropped_; }
 
-  /// Passes the message to the subscription.
+  /// Passes a message to the subscription, within `dispatch`.
   /// @return Why it can't be used ("is not of type ignition.msgs.Twist"), or nothing.
-  std::optional<std::string> handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
+  std::optional<std::string> handOver(const Parcel& parcel);
 
-  /// Where it waits for `dispatch`.
-  DispatchQueue* queue = nullptr;
-
-  /// Whether its subscription has ended.
-  std::atomic<bool> ended = false;
-
-  /// Receive messages of their own transport within `publish`; at most one is set. Guarded by the channel's `hearing`.
-  HeardAtOnce heardAtOnce;
-  HeardBytesAtOnce heardBytesAtOnce;
-  bool isAtOnce() const { return heardAtOnce || heardBytesAtOnce; }
+  /// Passes a message to a subscription at once, within `publish`.
+  void hear(const Message& message, const Bulk* bulk) const;
+  void hearBytes(std::size_t size, const std::function<void(std::span<std::byte>)>& write) const;
+  /// @return Whether it receives messages of its own transport within `publish`.
+  bool isAtOnce() const { return hearsMessages() || hearsBytes(); }
+  bool hearsMessages() const { return std::holds_alternative<HeardAtOnce>(function_); }
+  bool hearsBytes() const { return std::holds_alternative<HeardBytesAtOnce>(function_); }
 
   /// @return Whether it receives from that publisher of its own transport.
-  bool hears(const PublisherState& publisher) const;
+  bool accepts(const PublisherState& publisher) const;
 
-  /// The publisher that it ignores, or null.
-  const void* except = nullptr;
+  Channel& channel;
+  /// Where it waits for `dispatch`.
+  DispatchQueue& queue;
   /// As in the subscription's options.
-  bool relays = false;
-  bool ownOnly = false;
-
-  /// Losses of the channel's reader before this subscription.
+  const bool relays;
+  const bool ownOnly;
+  /// The publisher that it ignores, or null.
+  const void* except;
+  /// Whether its subscription has ended.
+  std::atomic<bool> ended = false;
+  /// The channel's reader, and what that had lost before this subscription. Null if it receives from no other process.
+  const Reader* reader = nullptr;
   std::uint64_t lostBefore = 0;
 
  private:
-  using Clock = std::chrono::steady_clock;
+  template <class Call>
+  void call(CallGuard::Moment moment, const Call& function) const;
+  std::optional<std::string> read(const Parcel& parcel, const Message*& message);
+  std::span<const std::byte> bytesOf(const Parcel& parcel);
+  void clear() REQUIRES(waitingRole);
+  Parcel* removeOldest() REQUIRES(waitingRole);
 
-  Inbox(Channel& channel, const SubscriptionOptions& options);
-  void clear();
-  Buffer* removeOldest();
-
-  Channel& channel_;
-  std::function<std::optional<std::string>(std::span<const std::byte>)> take_;
-  std::size_t limit_;
-  std::optional<Clock::duration> period_;
-  Clock::time_point next_;
-  std::vector<Arrival> waiting_;
-  std::size_t first_ = 0;
-  std::size_t waitingBytes_ = 0;
-  std::uint64_t came_ = 0;
-  std::uint64_t dropped_ = 0;
+  Function function_;
+  CallGuard* const guard_;
+  const std::size_t queueLength_;
+  const std::optional<double> largestNumber_;
+  /// What came as bytes is parsed into it; null for a subscription of bytes.
+  MessagePointer parsed_;
+  /// What was published as a message, for a subscription of bytes.
+  std::vector<std::byte> serialized_;
+  std::vector<Arrival> waiting_ GUARDED_BY(waitingRole);
+  /// Those before it were dropped.
+  std::size_t first_ GUARDED_BY(waitingRole) = 0;
+  std::size_t waitingBytes_ GUARDED_BY(waitingRole) = 0;
+  std::uint64_t added_ GUARDED_BY(waitingRole) = 0;
+  std::uint64_t dropped_ GUARDED_BY(waitingRole) = 0;
 };
 
 }  // namespace pongsim::transport

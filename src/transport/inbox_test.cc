@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
-#include "transport/bus.hh"
+#include "transport/channel.hh"
+#include "transport/dispatch_queue.hh"
 #include "transport/network/endpoint.hh"
 
 namespace pongsim::transport {
@@ -18,19 +19,21 @@ namespace {
 class InboxTest : public testing::Test {
  protected:
   Inbox inbox(const SubscriptionOptions& options) {
-    return {channel_, newMessage("ignition.msgs.StringMsg"), [](const Message&) {}, options};
+    return {channel_, queue_, [](const Message&) {}, options};
   }
 
   /// @return How many are dropped for it.
   std::size_t add(Inbox& places, std::uint64_t number, std::size_t bytes = 0) {
-    Buffer* buffer = pool_.take(bytes);
-    std::vector<Buffer*> dropped;
-    places.add(number, buffer, dropped);
+    std::vector<Parcel*> dropped;
+    places.add(number, pool_.takeBytes(bytes), dropped);
     return dropped.size();
   }
 
-  Channel channel_{"/chatter", "ignition.msgs.StringMsg"};
-  BufferPool pool_;
+  SpareParcels spare_;
+  Channel channel_{"/chatter", "ignition.msgs.StringMsg", spare_};
+  Channel numbers_{"/number", "ignition.msgs.Double", spare_};
+  DispatchQueue queue_;
+  ParcelPool pool_;
 };
 
 }  // namespace
@@ -67,43 +70,37 @@ TEST_F(InboxTest, HoldsOneMessageAtLeast) {
   EXPECT_EQ(places.size(), 1);
 }
 
-TEST_F(InboxTest, WantsNoMoreThanItsRate) {
-  Inbox all = inbox({});
-  Inbox seldom = inbox({.queueLength = 1000, .messagesPerSecond = 1e-4});
-  EXPECT_TRUE(seldom.wants());
-  for (int i = 0; i < 100; ++i) {
-    EXPECT_TRUE(all.wants());
-    EXPECT_FALSE(seldom.wants());
-  }
-  Inbox never = inbox({.queueLength = 1000, .messagesPerSecond = 1e-300});
-  EXPECT_TRUE(never.wants());
-  EXPECT_FALSE(never.wants());
-}
-
 TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
   Inbox places = inbox({});
-  Buffer* buffer = pool_.take(5);
-  std::ranges::fill(buffer->bytes, std::byte{0xff});
-  EXPECT_EQ(places.handOver(*buffer), "is not of type ignition.msgs.StringMsg");
+  Parcel* parcel = pool_.takeBytes(5);
+  std::ranges::fill(parcel->bytes->bytes, std::byte{0xff});
+  EXPECT_EQ(places.handOver(*parcel), "is not of type ignition.msgs.StringMsg");
   std::size_t size = 0;
-  Inbox raw(channel_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
-  EXPECT_EQ(raw.handOver(*buffer), std::nullopt);
+  Inbox raw(channel_, queue_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
+  EXPECT_EQ(raw.handOver(*parcel), std::nullopt);
   EXPECT_EQ(size, 5);
-  buffer->resize(0);
-  EXPECT_EQ(places.handOver(*buffer), std::nullopt);
+  parcel->bytes->resize(0);
+  EXPECT_EQ(places.handOver(*parcel), std::nullopt);
 }
 
 TEST_F(InboxTest, RefusesNumbersBeyondTheLargest) {
   std::vector<std::string> heard;
   const auto note = [&heard](const Message& message) { heard.push_back(message.ShortDebugString()); };
-  Inbox commands(channel_, newMessage("ignition.msgs.Double"), note, kCommands);
-  Inbox all(channel_, newMessage("ignition.msgs.Double"), note, {});
-  const auto handTo = [this](Inbox& inbox, const char* text) {
+  Inbox commands(numbers_, queue_, note, kCommands);
+  Inbox all(numbers_, queue_, note, {});
+  const auto handTo = [this, &heard](Inbox& inbox, const char* text) {
     const MessagePointer message = newMessage("ignition.msgs.Double");
     EXPECT_EQ(parseMessage(text, *message), std::nullopt);
-    Buffer* buffer = pool_.take(message->ByteSizeLong());
-    message->SerializeToArray(buffer->bytes.data(), static_cast<int>(buffer->bytes.size()));
-    return inbox.handOver(*buffer);
+    Parcel* bytes = pool_.takeBytes(message->ByteSizeLong());
+    message->SerializeToArray(bytes->bytes->bytes.data(), static_cast<int>(bytes->size));
+    Parcel* copy = pool_.take(spare_, bytes->size);
+    copy->message = newMessage("ignition.msgs.Double");
+    copy->message->CopyFrom(*message);
+    const std::size_t before = heard.size();
+    const auto fault = inbox.handOver(*bytes);
+    heard.resize(before);
+    EXPECT_EQ(inbox.handOver(*copy), fault);
+    return fault;
   };
   EXPECT_EQ(handTo(commands, "data: 1e6"), std::nullopt);
   EXPECT_EQ(handTo(commands, "data: -1e308"),

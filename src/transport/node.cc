@@ -1,82 +1,20 @@
 #include "pongsim/node.hh"
 
-#include <cmath>
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
+#include "transport/any_type.hh"
 #include "transport/bus.hh"
+#include "transport/deadline.hh"
 #include "transport/names/topic_name.hh"
 #include "transport/names/type_name.hh"
-#include "transport/network/network.hh"
 
 namespace pongsim {
-
-namespace {
-
-using Moment = CallGuard::Moment;
-
-/// @return `call`, made by the guard where there is one.
-template <class... Arguments>
-std::function<void(Arguments...)> guarded(CallGuard* guard, std::function<void(Arguments...)> call,
-                                          Moment moment = Moment::kDispatch) {
-  if (guard == nullptr || !call) return call;
-  return [guard, moment, inner = std::move(call)](Arguments... arguments) {
-    guard->call(moment, [&] { inner(arguments...); });
-  };
-}
-
-void checkRate(const SubscriptionOptions& options) {
-  const std::optional<double>& rate = options.messagesPerSecond;
-  if (!rate || (std::isfinite(*rate) && *rate > 0)) return;
-  throw std::invalid_argument("a subscription at " + std::to_string(*rate) +
-                              " messages a second: the rate must be above 0");
-}
-
-}  // namespace
-
-Publisher::Publisher() = default;
-Publisher::Publisher(std::unique_ptr<transport::PublisherState> state) : state_(std::move(state)) {}
-Publisher::Publisher(Publisher&&) noexcept = default;
-Publisher& Publisher::operator=(Publisher&&) noexcept = default;
-Publisher::~Publisher() = default;
-
-bool Publisher::hasSubscribers() const { return state_ && state_->bus.hasSubscribers(*state_); }
-
-std::uint64_t Publisher::newSubscribers() { return state_ ? state_->bus.newSubscribers(*state_) : 0; }
-
-void Publisher::publish(const Message& message) {
-  if (state_) state_->bus.publish(*state_, message);
-}
-
-void Publisher::publish(const Message& message, const Bulk& bulk) {
-  if (state_) state_->bus.publish(*state_, message, bulk);
-}
-
-void Publisher::publishBytes(std::span<const std::byte> bytes) {
-  if (state_) state_->bus.publishBytes(*state_, bytes);
-}
-
-std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }
-
-bool Publisher::waitForSubscribers(std::chrono::nanoseconds timeout) const {
-  return state_ && state_->bus.waitForSubscribers(*state_, timeout);
-}
-
-bool Publisher::waitForDelivery(std::chrono::nanoseconds timeout) const {
-  return state_ && state_->bus.waitForDelivery(state_->channel, timeout);
-}
-
-Subscription::Subscription() = default;
-Subscription::Subscription(std::unique_ptr<transport::SubscriptionState> state) : state_(std::move(state)) {}
-Subscription::Subscription(Subscription&&) noexcept = default;
-Subscription& Subscription::operator=(Subscription&&) noexcept = default;
-Subscription::~Subscription() = default;
-
-std::uint64_t Subscription::received() const { return state_ ? state_->received() : 0; }
-
-std::uint64_t Subscription::dropped() const { return state_ ? state_->dropped() : 0; }
 
 CallGuard::~CallGuard() = default;
 
@@ -108,7 +46,7 @@ std::string Node::fullName(std::string_view name) const {
   return nameSpace_ + "/" + std::string(name);
 }
 
-void Node::wake() { bus_->wake(*queue_); }
+void Node::wake() { bus_->delivery().wake(*queue_); }
 
 Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
   return advertiseAs(transport::knownType(type), topic, options);
@@ -119,81 +57,100 @@ Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, co
 }
 
 Publisher Node::advertiseAs(const std::string& type, std::string_view topic, const PublisherOptions& options) {
-  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, fullName(topic), type, options);
-  if (guard_ != nullptr) guard_->advertised(state->channel.topic, state->channel.type);
-  return Publisher(std::move(state));
+  Publisher publisher(bus_->addPublisher(*queue_, fullName(topic), type, options).release());
+  if (guard_ != nullptr) guard_->advertised(publisher.state_->channel.topic, type);
+  return publisher;
 }
 
 Subscription Node::subscribe(std::string_view topic, std::string_view type,
                              std::function<void(const Message&)> received, const SubscriptionOptions& options) {
-  checkRate(options);
   const std::string name = transport::knownType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name,
-                                                                     guarded(guard_, std::move(received)), options));
+  return {*bus_,
+          {&bus_->addSubscription(*queue_, fullName(topic), name, std::move(received), options, guard_), nullptr}};
 }
 
 Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
                                   std::function<void(std::span<const std::byte>)> received,
                                   const SubscriptionOptions& options) {
-  checkRate(options);
   const std::string name = transport::anyType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name,
-                                                                     guarded(guard_, std::move(received)), options));
+  return {*bus_,
+          {&bus_->addSubscription(*queue_, fullName(topic), name, std::move(received), options, guard_), nullptr}};
 }
 
 Subscription Node::subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
                                     const SubscriptionOptions& options) {
-  checkRate(options);
-  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic),
-                                                                     guarded(guard_, std::move(received)), options));
+  return {*bus_, {nullptr, &bus_->addAnyType(*queue_, fullName(topic), std::move(received), options, guard_)}};
 }
 
 Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
                                    const SubscriptionOptions& options) {
-  checkRate(options);
   const std::string name = transport::knownType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, *queue_, fullName(topic), name, guarded(guard_, std::move(heard), Moment::kPublish), options));
+  return {*bus_, {&bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options, guard_), nullptr}};
 }
 
 Subscription Node::subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
                                         const SubscriptionOptions& options) {
-  checkRate(options);
   const std::string name = transport::anyType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, *queue_, fullName(topic), name, guarded(guard_, std::move(heard), Moment::kPublish), options));
+  return {*bus_, {&bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options, guard_), nullptr}};
+}
+
+void Subscription::End::operator()(transport::Bus* bus) const {
+  if (inbox != nullptr) bus->end(*inbox);
+  if (any != nullptr) bus->end(*any);
+}
+
+template <class Count>
+std::uint64_t Subscription::sum(const Count& count) const {
+  if (!bus_) return 0;
+  transport::Delivery& delivery = bus_->delivery();
+  const End& end = bus_.get_deleter();
+  if (end.inbox != nullptr) return count(delivery, *end.inbox);
+  std::uint64_t all = 0;
+  for (const transport::Inbox* inbox : end.any->inboxesNow(delivery)) all += count(delivery, *inbox);
+  return all;
+}
+
+std::uint64_t Subscription::received() const {
+  return sum([](auto& delivery, const auto& inbox) { return delivery.received(inbox); });
+}
+
+std::uint64_t Subscription::dropped() const {
+  return sum([](auto& delivery, const auto& inbox) { return delivery.dropped(inbox); });
 }
 
 std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
 
 std::uint64_t Node::ownTopicsVersion() const { return queue_->ownTopicsVersion.load(std::memory_order_relaxed); }
 
-std::vector<OwnService> Node::ownServices() const { return bus_->ownServices(*queue_); }
-
-std::uint64_t Node::ownServicesVersion() const { return bus_->ownServicesVersion(); }
-
-Gateway::Gateway() = default;
-Gateway::Gateway(std::unique_ptr<transport::GatewayState> state) : state_(std::move(state)) {}
-Gateway::Gateway(Gateway&&) noexcept = default;
-Gateway& Gateway::operator=(Gateway&&) noexcept = default;
-Gateway::~Gateway() = default;
-
-Gateway Node::openGateway(CallElsewhere call) {
-  return Gateway(std::make_unique<transport::GatewayState>(*bus_, std::move(call)));
+std::vector<OwnService> Node::ownServices() const {
+  std::vector<OwnService> services = bus_->server().services(*queue_);
+  if (queue_->alsoLists == nullptr) return services;
+  // if both offer a name, the other queue's service is listed
+  std::vector<OwnService> others = bus_->server().services(*queue_->alsoLists);
+  std::ranges::move(services, std::back_inserter(others));
+  std::ranges::stable_sort(others, {}, &OwnService::name);
+  const auto twice = std::ranges::unique(others, {}, &OwnService::name);
+  others.erase(twice.begin(), twice.end());
+  return others;
 }
 
-Service::Service() = default;
-Service::Service(std::unique_ptr<transport::ServiceState> state) : state_(std::move(state)) {}
-Service::Service(Service&&) noexcept = default;
-Service& Service::operator=(Service&&) noexcept = default;
-Service::~Service() = default;
+std::uint64_t Node::ownServicesVersion() const { return bus_->server().version(); }
+
+Gateway Node::openGateway(CallElsewhere call) {
+  Gateway gateway;
+  const std::uint64_t number = bus_->client().addGateway(std::move(call));
+  gateway.client_ = {&bus_->client(), {number}};
+  return gateway;
+}
+
+void Gateway::End::operator()(transport::ServiceClient* client) const { client->endGateway(number); }
 
 Service Node::serve(std::string_view service, std::string_view requestType, std::string_view replyType,
                     ServiceHandler handler) {
   if (guard_ != nullptr) {
     handler = [guard = guard_, inner = std::move(handler)](const Message& request, Message& reply) {
       ServiceAnswer answer = ServiceAnswer::refused("the system is switched off or set aside");
-      guard->call(Moment::kDispatch, [&] {
+      guard->call(CallGuard::Moment::kDispatch, [&] {
         answer = ServiceAnswer::refused("the system failed");
         try {
           answer = inner(request, reply);
@@ -205,72 +162,34 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
       return answer;
     };
   }
-  return Service(std::make_unique<transport::ServiceState>(*bus_, *queue_, fullName(service), requestType, replyType,
-                                                           std::move(handler)));
+  return Service(*bus_, bus_->addService(*queue_, fullName(service), requestType, replyType, std::move(handler)));
 }
+
+void Service::End::operator()(transport::Bus* bus) const { bus->end(*offer); }
 
 CallResult Node::call(std::string_view service, const Message& request, Message& reply,
                       std::chrono::nanoseconds timeout) {
-  return bus_->call(*queue_, fullName(service), request, reply, timeout);
+  if (queue_->dispatcher == std::this_thread::get_id()) {
+    throw std::logic_error("a service was called within dispatch, which must not wait");
+  }
+  return bus_->client().call(*queue_, fullName(service), request, reply, transport::deadlineAfter(timeout));
 }
-
-PendingRequest::PendingRequest() = default;
-PendingRequest::PendingRequest(std::unique_ptr<transport::RequestState> state) : state_(std::move(state)) {}
-PendingRequest::PendingRequest(PendingRequest&&) noexcept = default;
-PendingRequest& PendingRequest::operator=(PendingRequest&&) noexcept = default;
-PendingRequest::~PendingRequest() = default;
 
 PendingRequest Node::request(std::string_view service, const Message& request, std::string_view replyType,
                              Answered answered) {
-  auto state = std::make_unique<transport::RequestState>(*bus_);
-  state->number = bus_->request(*queue_, fullName(service), request, transport::knownType(replyType),
-                                guarded(guard_, std::move(answered)));
-  if (!state->number) return {};
-  return PendingRequest(std::move(state));
+  if (guard_ != nullptr && answered) {
+    answered = [guard = guard_, inner = std::move(answered)](const CallResult& result, const Message& reply) {
+      guard->call(CallGuard::Moment::kDispatch, [&] { inner(result, reply); });
+    };
+  }
+  transport::ServiceClient& client = bus_->client();
+  const std::optional<std::uint64_t> number =
+      client.post(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered));
+  PendingRequest pending;
+  if (number) pending.client_ = {&client, {*number}};
+  return pending;
 }
 
-Transport::Transport(const TransportOptions& options)
-    : bus_(std::make_shared<transport::Bus>(
-          options.network
-              ? std::make_unique<transport::Network>(options.domain, options.interface, options.announceLater)
-              : nullptr)),
-      queue_(&bus_->addQueue()) {}
-
-Transport::Transport(const Transport& other, Sharing) : bus_(other.bus_), queue_(&bus_->addQueue()) {}
-
-Transport::~Transport() = default;
-
-void Transport::announce() { bus_->announce(); }
-
-std::optional<std::string> Transport::openTo() const {
-  const std::optional<NetworkInterface> interface = bus_->interface();
-  return interface ? std::optional(interface->name + ", " + interface->address) : std::nullopt;
-}
-
-std::size_t Transport::dispatch() { return bus_->dispatch(*queue_); }
-
-std::size_t Transport::dispatchFor(std::chrono::nanoseconds timeout) { return bus_->dispatchFor(*queue_, timeout); }
-
-void Transport::wake() { bus_->wake(*queue_); }
-
-bool Transport::heardAll() const { return bus_->heardAll(); }
-
-std::vector<TopicInfo> Transport::discover(std::chrono::nanoseconds timeout) { return bus_->discover(timeout); }
-
-TopicInfo Transport::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {
-  return bus_->waitForTopic(topic, wantPublisher, timeout);
-}
-
-TopicInfo Transport::watchTopic(std::string_view topic, std::chrono::nanoseconds duration) {
-  return bus_->watchTopic(topic, duration);
-}
-
-std::vector<ServiceInfo> Transport::discoverServices(std::chrono::nanoseconds timeout) {
-  return bus_->discoverServices(timeout);
-}
-
-ServiceInfo Transport::waitForService(std::string_view service, std::chrono::nanoseconds timeout) {
-  return bus_->waitForService(service, timeout);
-}
+void PendingRequest::Forget::operator()(transport::ServiceClient* client) const { client->forget(number); }
 
 }  // namespace pongsim

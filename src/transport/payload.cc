@@ -10,7 +10,7 @@ namespace {
 constexpr std::byte kBigEndian{0};
 constexpr std::byte kLittleEndian{1};
 
-// In the first byte of the options: their last two bits are XTypes' (7.6.3.1.2), the others nobody's.
+// In the first byte of the options: XTypes uses the last two bits of the options (7.6.3.1.2); the others are free.
 constexpr std::size_t kOptions = 2;
 constexpr std::byte kKeptOption{0x40};
 constexpr std::byte kAgainOption{0x80};

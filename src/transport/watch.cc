@@ -9,7 +9,7 @@ Watch::Watch(std::function<TimePoint()> look) : look_(std::move(look)), thread_(
 
 Watch::~Watch() {
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     isOver_ = true;
   }
   changed_.notify_one();
@@ -17,18 +17,18 @@ Watch::~Watch() {
 }
 
 void Watch::run() {
-  std::unique_lock lock(mutex_);
+  Lock lock(mutex_);
   while (!isOver_) {
     lock.unlock();
     TimePoint next;
     try {
       next = look_();
     } catch (const std::bad_alloc&) {
-      // here and not before: GCC 12 loses what a variable had before a call that throws instead of setting it
+      // not as an initial value: GCC 12 loses a value assigned before a throwing call whose result replaces it
       next = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     }
     lock.lock();
-    changed_.wait_until(lock, next, [this] { return isOver_; });
+    changed_.wait_until(lock, next, [this]() REQUIRES(mutex_) { return isOver_; });
   }
 }
 

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <thread>
+
+#include "transport/locks.hh"
 
 namespace pongsim::transport {
 
@@ -26,9 +27,9 @@ class Watch {
   void run();
 
   std::function<TimePoint()> look_;
-  std::mutex mutex_;
+  Mutex mutex_;
   std::condition_variable changed_;
-  bool isOver_ = false;
+  bool isOver_ GUARDED_BY(mutex_) = false;
   std::thread thread_;
 };
 

@@ -39,7 +39,7 @@ void Directory::changed() {
 
 void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports,
                                const std::optional<ParticipantId>& first) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   Participant& participant = participants_[id];
   participant.pid = pid;
   participant.first = first;
@@ -48,7 +48,7 @@ void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std
 }
 
 void Directory::removeParticipant(const ParticipantId& id) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   participants_.erase(id);
   auto endpoint = endpoints_.lower_bound(lowestOf(id));
   while (endpoint != endpoints_.end() && participantOf(endpoint->first) == id) endpoint = endpoints_.erase(endpoint);
@@ -57,7 +57,7 @@ void Directory::removeParticipant(const ParticipantId& id) {
 }
 
 void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (endpoints_.insert_or_assign(id, endpoint).second) ++endpointsOf_[participantOf(id)];
   const auto [begin, end] = own_.equal_range(endpoint.topic);
   for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
@@ -68,24 +68,24 @@ void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
 }
 
 void Directory::tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   tell_ = std::move(tell);
 }
 
 void Directory::removeEndpoint(const EndpointId& id) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (endpoints_.erase(id) > 0) --endpointsOf_[participantOf(id)];
   changed();
 }
 
 void Directory::setCensus(const ParticipantId& id, std::uint32_t endpoints) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   participants_[id].census = endpoints;
   changed();
 }
 
 void Directory::setTraffic(const ParticipantId& id, TrafficReport report) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   const auto participant = participants_.find(id);
   if (participant == participants_.end()) return;
   if (!participant->second.firstTraffic) participant->second.firstTraffic = report;
@@ -93,12 +93,12 @@ void Directory::setTraffic(const ParticipantId& id, TrafficReport report) {
 }
 
 void Directory::forgetTraffic() {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   for (auto& [id, participant] : participants_) participant.firstTraffic.reset();
 }
 
 void Directory::addOwn(const Endpoint& endpoint) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   const auto added = own_.emplace(endpoint.topic, endpoint);
   try {
     for (const auto& [id, other] : endpoints_) {
@@ -111,7 +111,7 @@ void Directory::addOwn(const Endpoint& endpoint) {
 }
 
 void Directory::removeOwn(const Endpoint& endpoint) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   const auto [begin, end] = own_.equal_range(endpoint.topic);
   const auto found = std::find_if(begin, end, [&](const auto& own) {
     return own.second.type == endpoint.type && own.second.role == endpoint.role;
@@ -143,7 +143,7 @@ ParticipantId Directory::firstOf(const ParticipantId& id) const {
 template <class Predicate>
 bool Directory::anyOfNetwork(const ParticipantId& id, Predicate predicate) const {
   const ParticipantId first = firstOf(id);
-  return std::ranges::any_of(participants_, [&](const auto& participant) {
+  return std::ranges::any_of(participants_, [&](const auto& participant) REQUIRES(mutex_) {
     const ParticipantId& each = participant.first;
     if (firstOf(each) != first) return false;
     for (auto at = endpoints_.lower_bound(lowestOf(each)); at != endpoints_.end(); ++at) {
@@ -180,12 +180,12 @@ int Directory::pidOfLocked(const ParticipantId& id) const {
 }
 
 int Directory::pidOf(const ParticipantId& id) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   return pidOfLocked(id);
 }
 
 std::vector<TopicInfo> Directory::topics() const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   std::map<std::string, TopicInfo> byName;
   for (const auto& [id, endpoint] : endpoints_) {
     if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/') || isDuplicate(id, endpoint)) continue;
@@ -202,7 +202,7 @@ std::vector<TopicInfo> Directory::topics() const {
 }
 
 TopicInfo Directory::topic(std::string_view name) const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   TopicInfo info{std::string(name), {}, {}};
   for (const auto& [id, endpoint] : endpoints_) {
     if (endpoint.topic != name || !isListed(id, endpoint) || isDuplicate(id, endpoint)) continue;
@@ -218,7 +218,7 @@ std::optional<TopicInfo::Traffic> Directory::trafficOf(const ParticipantId& id, 
   if (participant == participants_.end() || !participant->second.firstTraffic) return std::nullopt;
   const TrafficReport& first = *participant->second.firstTraffic;
   const TrafficReport& last = participant->second.traffic;
-  // times that others tell, whose difference may be too long for an integer
+  // in floating point: others may report any times, whose difference may overflow an integer
   const auto watched = std::chrono::duration<double>(last.at) - std::chrono::duration<double>(first.at);
   const EndpointTraffic* now = trafficIn(last, endpoint);
   if (now == nullptr || watched.count() <= 0) return std::nullopt;
@@ -229,12 +229,12 @@ std::optional<TopicInfo::Traffic> Directory::trafficOf(const ParticipantId& id, 
 }
 
 std::vector<ServiceInfo> Directory::services() const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   std::map<std::string_view, ServiceInfo> byName;
   for (const auto& [id, endpoint] : endpoints_) {
     const auto name = serviceOfRequestTopic(endpoint.topic);
     const auto types = typesOfService(endpoint.type);
-    // who subscribes to requests offers the service
+    // a subscriber of the request topic offers the service
     if (!name || !types || endpoint.role != Role::kSubscriber || !isListed(id, endpoint)) continue;
     byName[*name].providers.push_back(
         {std::string(types->first), std::string(types->second), pidOfLocked(participantOf(id))});
@@ -259,7 +259,7 @@ bool Directory::isListed(const EndpointId& id, const Endpoint& endpoint) const {
 }
 
 bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
-  const auto isKnown = [this](std::uint32_t port) {
+  const auto isKnown = [this](std::uint32_t port) REQUIRES(mutex_) {
     return std::ranges::any_of(participants_, [port](const auto& participant) {
       return std::ranges::find(participant.second.ports, port) != participant.second.ports.end();
     });
@@ -268,8 +268,8 @@ bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
 
   std::map<ParticipantId, std::size_t> told;
   for (const auto& [id, endpoints] : endpointsOf_) told[firstOf(id)] += endpoints;
-  return std::ranges::all_of(participants_, [&](const auto& participant) {
-    // one that is no pongsim takes no census, and its topics are not listed
+  return std::ranges::all_of(participants_, [&](const auto& participant) REQUIRES(mutex_) {
+    // another program has no census, and its topics are not listed
     const auto& [id, about] = participant;
     if (about.pid == 0) return true;
     if (about.first) return participants_.contains(*about.first);
@@ -278,14 +278,14 @@ bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
 }
 
 bool Directory::waitForAll(std::span<const std::uint32_t> ports, TimePoint deadline) {
-  std::unique_lock lock(mutex_);
-  return changed_.wait_until(lock, deadline, [&] { return isComplete(ports); });
+  Lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&]() REQUIRES(mutex_) { return isComplete(ports); });
 }
 
 bool Directory::waitForTopic(std::string_view name, Role role, TimePoint deadline) {
-  std::unique_lock lock(mutex_);
-  return changed_.wait_until(lock, deadline, [&] {
-    return std::ranges::any_of(endpoints_, [&](const auto& endpoint) {
+  Lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&]() REQUIRES(mutex_) {
+    return std::ranges::any_of(endpoints_, [&](const auto& endpoint) REQUIRES(mutex_) {
       const auto& [id, about] = endpoint;
       return about.role == role && about.topic == name && isListed(id, about);
     });
@@ -293,7 +293,7 @@ bool Directory::waitForTopic(std::string_view name, Role role, TimePoint deadlin
 }
 
 std::uint64_t Directory::version() const {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   return version_;
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,8 +13,9 @@
 #include <vector>
 
 #include "pongsim/node.hh"
+#include "transport/buffer_pool.hh"
 #include "transport/deadline.hh"
-#include "transport/inbox.hh"
+#include "transport/locks.hh"
 #include "transport/network/traffic_report.hh"
 
 namespace pongsim::transport {
@@ -90,29 +90,29 @@ class Directory {
     TrafficReport traffic;
   };
 
-  ParticipantId firstOf(const ParticipantId& id) const;
+  ParticipantId firstOf(const ParticipantId& id) const REQUIRES(mutex_);
   template <class Predicate>
-  bool anyOfNetwork(const ParticipantId& id, Predicate predicate) const;
-  bool isListed(const EndpointId& id, const Endpoint& endpoint) const;
-  std::optional<TopicInfo::Traffic> trafficOf(const ParticipantId& id, const Endpoint& endpoint) const;
-  bool isComplete(std::span<const std::uint32_t> ports) const;
-  bool isDuplicate(const EndpointId& id, const Endpoint& endpoint) const;
-  bool takesAnyType(const ParticipantId& id, const std::string& topic) const;
-  bool takesAnyType(const std::string& topic) const;
-  void warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other);
-  void changed();
-  int pidOfLocked(const ParticipantId& id) const;
+  bool anyOfNetwork(const ParticipantId& id, Predicate predicate) const REQUIRES(mutex_);
+  bool isListed(const EndpointId& id, const Endpoint& endpoint) const REQUIRES(mutex_);
+  std::optional<TopicInfo::Traffic> trafficOf(const ParticipantId& id, const Endpoint& endpoint) const REQUIRES(mutex_);
+  bool isComplete(std::span<const std::uint32_t> ports) const REQUIRES(mutex_);
+  bool isDuplicate(const EndpointId& id, const Endpoint& endpoint) const REQUIRES(mutex_);
+  bool takesAnyType(const ParticipantId& id, const std::string& topic) const REQUIRES(mutex_);
+  bool takesAnyType(const std::string& topic) const REQUIRES(mutex_);
+  void warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) REQUIRES(mutex_);
+  void changed() REQUIRES(mutex_);
+  int pidOfLocked(const ParticipantId& id) const REQUIRES(mutex_);
 
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t version_ = 0;
-  std::map<ParticipantId, Participant> participants_;
-  std::map<EndpointId, Endpoint> endpoints_;
-  std::map<ParticipantId, std::size_t> endpointsOf_;
-  std::multimap<std::string, Endpoint> own_;
-  std::function<void(const std::string& topic, const std::string& type)> tell_;
+  std::uint64_t version_ GUARDED_BY(mutex_) = 0;
+  std::map<ParticipantId, Participant> participants_ GUARDED_BY(mutex_);
+  std::map<EndpointId, Endpoint> endpoints_ GUARDED_BY(mutex_);
+  std::map<ParticipantId, std::size_t> endpointsOf_ GUARDED_BY(mutex_);
+  std::multimap<std::string, Endpoint> own_ GUARDED_BY(mutex_);
+  std::function<void(const std::string& topic, const std::string& type)> tell_ GUARDED_BY(mutex_);
   /// Topic and foreign type of warnings given.
-  std::map<std::string, std::string> warned_;
+  std::map<std::string, std::string> warned_ GUARDED_BY(mutex_);
 };
 
 }  // namespace pongsim::transport

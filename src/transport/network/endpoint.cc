@@ -23,22 +23,22 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::TopicAttributes;
 
-// What waits in a writer for a slow reader: so many messages, or so many bytes once there are two of them.
+// Limits of what a writer keeps for slow readers; a single message may be larger.
 constexpr std::size_t kKeptMessages = 1000;
 constexpr std::size_t kHistoryBytes = 32 << 20;
 
-// Repairs a lost packet at once, the way being short: loopback loses one only where a receiver's buffer is full.
+// Short, since the round trip is: loopback loses packets only when a receiver's buffer is full, and a resend is cheap.
 const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 5'000'000};
 const eprosima::fastrtps::Duration_t kAtOnce{0, 0};
 
-// A reader asks so often for what it missed until its writer has answered for the first time.
+// Period of a reader's requests for missed samples until its writer first answers.
 const eprosima::fastrtps::Duration_t kAskingPeriod{0, 5'000'000};
 
-// Of these a reader remembers what it heard last.
+// Most writers whose last sample number a reader remembers.
 constexpr std::size_t kMostSources = 10'000;
 
 rtps::HistoryAttributes historyAttributes() {
-  // small at first, growing to the size of the messages that come
+  // starts small and grows to the size of the messages
   return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, 256, 4, 0};
 }
 
@@ -114,12 +114,12 @@ Writer::~Writer() {
 }
 
 bool Writer::hasReaderOf(const ParticipantId& participant) const {
-  const std::lock_guard lock(readersMutex_);
+  const Lock lock(readersMutex_);
   return std::ranges::find(readersOf_, participant) != readersOf_.end();
 }
 
 std::optional<ParticipantId> Writer::newestReader() const {
-  const std::lock_guard lock(readersMutex_);
+  const Lock lock(readersMutex_);
   return readersOf_.empty() ? std::nullopt : std::optional(readersOf_.back());
 }
 
@@ -165,8 +165,8 @@ bool Writer::sendToAll(Buffer* sample) {
   return true;
 }
 
-// Not when DDS tells that all have it: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with locks
-// held that the sending thread takes the other way round (Fast-DDS pull request 3468).
+// Not in the callback that all readers have a sample: Fast DDS 2.9 may call it while it removes a reader, with locks
+// held that the sending thread locks in the opposite order (Fast-DDS pull request 3468).
 void Writer::removeDelivered() {
   if (keepsLast_) return;
   rtps::CacheChange_t* oldest = nullptr;
@@ -188,8 +188,8 @@ void Writer::removeOldest(const rtps::CacheChange_t& oldest) {
   history_.remove_min_change();
 }
 
-// Before the writer ends: Fast DDS 2.9 gives the samples back before it stops the heartbeats, and one that comes in
-// between looks for the end of a history whose samples have lost their numbers, for ever.
+// Before the writer is deleted: Fast DDS 2.9 releases its samples before it stops the heartbeats, and a heartbeat in
+// between loops forever over a history whose samples have lost their numbers.
 void Writer::removeAll() {
   const std::lock_guard lock(writer_->getMutex());
   history_.remove_all_changes();
@@ -208,7 +208,7 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
   const ParticipantId participant = participantId(info.remoteEndpointGuid.guidPrefix);
   if (participant == own_) return;
   {
-    const std::lock_guard lock(readersMutex_);
+    const Lock lock(readersMutex_);
     if (info.status == rtps::MATCHED_MATCHING) {
       readersOf_.push_back(participant);
       ++readersSoFar_;
@@ -217,7 +217,7 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
     }
     readers_ = static_cast<int>(readersOf_.size());
   }
-  // in its turn, after what was published before
+  // through the outbox, to be sent after earlier messages
   if (info.status == rtps::MATCHED_MATCHING && keeping_) outbox_.add(*this, 0, [](std::span<std::byte>) {});
   if (readersChanged_) readersChanged_();
 }
@@ -257,12 +257,12 @@ void Reader::onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheCh
 /// @return False where it is a kept one that came already.
 bool Reader::isNews(const rtps::CacheChange_t& change, const Buffer& sample) {
   const std::uint64_t number = change.sequenceNumber.to64long();
-  const std::lock_guard lock(sourcesMutex_);
+  const Lock lock(sourcesMutex_);
   if (sources_.size() >= kMostSources) sources_.clear();
   const auto [entry, isNew] = sources_.try_emplace(change.writerGUID, Source{number, true});
   if (isNew) return true;
   Source& source = entry->second;
-  // a writer gives up the oldest first, and DDS hands over in order
+  // a gap is a loss: writers drop the oldest first, and DDS delivers in order
   if (number > source.last + 1) lost_ += number - source.last - 1;
   source.last = number;
   return !std::exchange(source.isCurrent, true) || keepingOf(sample.bytes) != Keeping::kAgain;
@@ -271,7 +271,7 @@ bool Reader::isNews(const rtps::CacheChange_t& change, const Buffer& sample) {
 void Reader::onReaderMatched(rtps::RTPSReader*, rtps::MatchingInfo& info) {
   if (info.status == rtps::MATCHED_MATCHING) return;
   {
-    const std::lock_guard lock(sourcesMutex_);
+    const Lock lock(sourcesMutex_);
     const auto source = sources_.find(info.remoteEndpointGuid);
     if (source != sources_.end()) source->second.isCurrent = false;
   }

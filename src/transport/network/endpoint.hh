@@ -13,12 +13,12 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "transport/locks.hh"
 #include "transport/network/outbox.hh"
 #include "transport/network/sample_pool.hh"
 #include "transport/payload.hh"
@@ -113,8 +113,8 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   std::atomic<std::uint64_t> dropped_ = 0;
   std::atomic<int> readers_ = 0;
   std::atomic<std::uint64_t> readersSoFar_ = 0;
-  mutable std::mutex readersMutex_;
-  std::vector<ParticipantId> readersOf_;
+  mutable Mutex readersMutex_;
+  std::vector<ParticipantId> readersOf_ GUARDED_BY(readersMutex_);
   rtps::RTPSWriter* writer_ = nullptr;
 };
 
@@ -155,9 +155,9 @@ class Reader : private rtps::ReaderListener {
     /// Whether that was received since the writer was last found.
     bool isCurrent = true;
   };
-  std::mutex sourcesMutex_;
+  Mutex sourcesMutex_;
   /// Includes ended writers, since those of a suspended process return.
-  std::map<rtps::GUID_t, Source> sources_;
+  std::map<rtps::GUID_t, Source> sources_ GUARDED_BY(sourcesMutex_);
   std::atomic<std::uint64_t> lost_ = 0;
   rtps::ReaderHistory history_;
   rtps::RTPSReader* reader_ = nullptr;

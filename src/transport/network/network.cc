@@ -20,7 +20,7 @@ namespace pongsim::transport {
 
 namespace {
 
-// No topic's name, for it has no leading slash.
+// Not a topic name, since it has no leading slash.
 constexpr const char* kCensusTopic = "pongsim/census";
 constexpr const char* kCensusType = "pongsim.Census";
 
@@ -28,9 +28,9 @@ constexpr const char* kCensusType = "pongsim.Census";
 // thousandth endpoint costs 0.2 ms, and one more participant 3 ms.
 constexpr std::size_t kMostEndpoints = 1000;
 
-// How long nothing new must come before those who have not answered are given up: a participant that is being made says
-// nothing for some milliseconds, one on a busy machine for a second. Of other machines nobody knows who should answer,
-// and this is how long each look around takes.
+// `discover` gives up participants that have not answered after this time without any announcement: a new participant
+// is silent for some milliseconds, on a busy machine for a second. With other machines, where nobody knows who should
+// answer, each call of `discover` lasts this long.
 constexpr std::chrono::milliseconds kSilence{2000};
 constexpr std::chrono::milliseconds kSilenceOfOthers{500};
 constexpr std::chrono::milliseconds kLookAgain{10};
@@ -81,7 +81,7 @@ Network::~Network() {
 }
 
 void Network::announce() {
-  const std::lock_guard lock(participantsMutex_);
+  const Lock lock(mutex_);
   for (const Place& each : participants_) each.participant->announce();
 }
 
@@ -132,7 +132,7 @@ void Network::end(std::unique_ptr<Reader> reader) { remove(std::move(reader)); }
 template <class Each>
 void Network::remove(std::unique_ptr<Each> endpoint) {
   const ParticipantId at = endpoint->participant();
-  // first what can't fail
+  // this first, since it can't throw
   leave(at);
   changeCensus(-1);
   endpoint.reset();
@@ -140,7 +140,7 @@ void Network::remove(std::unique_ptr<Each> endpoint) {
 
 /// @return That participant, or one that has few endpoints. It counts one more.
 Participant& Network::enter(const std::optional<ParticipantId>& at) {
-  const std::lock_guard lock(participantsMutex_);
+  const Lock lock(mutex_);
   auto place =
       at ? std::ranges::find(participants_, *at, &Place::id)
          : std::ranges::find_if(participants_, [](const Place& each) { return each.endpoints < kMostEndpoints; });
@@ -153,7 +153,7 @@ Participant& Network::enter(const std::optional<ParticipantId>& at) {
 }
 
 void Network::leave(const ParticipantId& at) {
-  const std::lock_guard lock(participantsMutex_);
+  const Lock lock(mutex_);
   --std::ranges::find(participants_, at, &Place::id)->endpoints;
 }
 
@@ -177,19 +177,21 @@ void Network::openAnother() {
 }
 
 void Network::changeCensus(int endpoints) {
-  const std::lock_guard lock(censusMutex_);
+  const Lock lock(mutex_);
   endpoints_ += static_cast<std::uint32_t>(endpoints);
   const auto bytes = std::as_bytes(std::span(&endpoints_, 1));
   try {
     censusWriter_->write(bytes.size(), [&](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
   } catch (...) {
-    // an endpoint that is told of nobody does not stay; one that ends has gone all the same
+    // without a census the new endpoint is given up by the caller; one that has ended stays ended
     if (endpoints > 0) endpoints_ -= static_cast<std::uint32_t>(endpoints);
     throw;
   }
 }
 
-bool Network::discover(std::chrono::nanoseconds timeout) {
+bool Network::discover(std::chrono::nanoseconds timeout) { return heardAll_ = waitForAll(timeout); }
+
+bool Network::waitForAll(std::chrono::nanoseconds timeout) {
   announce();
   if (!censusReader_) {
     const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
@@ -208,7 +210,7 @@ bool Network::discover(std::chrono::nanoseconds timeout) {
   TimePoint silentUntil = deadlineAfter(silence);
   for (TimePoint now = std::chrono::steady_clock::now(); now < std::min(deadline, silentUntil);
        now = std::chrono::steady_clock::now()) {
-    // where nobody tells who is there, as for other machines, the silence alone must do
+    // unknown with other machines, or if the system does not list ports: then only the silence ends the wait
     const auto open = settings_.interface ? std::nullopt : openDiscoveryPorts(settings_.domain);
     std::vector<std::uint32_t> ports;
     if (!open) ports.push_back(0);
@@ -221,7 +223,7 @@ bool Network::discover(std::chrono::nanoseconds timeout) {
       silentUntil = deadlineAfter(silence);
     }
   }
-  // of other machines nobody knows who should have answered, and who looks for so short a time will look again
+  // unknown with other machines; a caller with such a short timeout will call again
   return settings_.interface || timeout < silence;
 }
 
@@ -239,7 +241,7 @@ void Network::watchTraffic(std::chrono::nanoseconds duration) {
 }
 
 bool Network::isOwnPort(std::uint32_t port) const {
-  const std::lock_guard lock(participantsMutex_);
+  const Lock lock(mutex_);
   return std::ranges::any_of(participants_, [port](const Place& each) { return each.participant->port() == port; });
 }
 

@@ -2,15 +2,16 @@
 
 #include <fastdds/rtps/participant/RTPSParticipantListener.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "pongsim/program/keystore.hh"
+#include "transport/locks.hh"
 #include "transport/network/directory.hh"
 #include "transport/network/endpoint.hh"
 #include "transport/network/outbox.hh"
@@ -68,6 +69,8 @@ class Network : private rtps::RTPSParticipantListener {
   /// @return Whether all of them have; true where that can't be said: other machines take part, or the timeout is
   /// shorter than a busy process may be silent.
   bool discover(std::chrono::nanoseconds timeout);
+  /// @return What `discover` last returned; true before.
+  bool heardAll() const { return heardAll_; }
 
   /// @param source Reports this process's traffic when others ask. It is not called any more after another one was set.
   void reportTraffic(std::function<TrafficReport()> source) { reporter_.setSource(std::move(source)); }
@@ -94,11 +97,12 @@ class Network : private rtps::RTPSParticipantListener {
   void remove(std::unique_ptr<Each> endpoint);
   Participant& enter(const std::optional<ParticipantId>& at);
   void leave(const ParticipantId& at);
-  void openAnother();
+  void openAnother() REQUIRES(mutex_);
   bool isOwnPort(std::uint32_t port) const;
   template <class ProxyData>
   void endpointChanged(const rtps::RTPSParticipant& own, const ProxyData& data, Role role, bool removed);
   void changeCensus(int endpoints);
+  bool waitForAll(std::chrono::nanoseconds timeout);
   Contract contract(const std::string& topic, const std::string& type, Content content = Content::kMessages) const {
     return {topic, type, partition_, false, content};
   }
@@ -107,15 +111,16 @@ class Network : private rtps::RTPSParticipantListener {
   std::string partition_;
   Directory directory_;
   std::unique_ptr<Participant> first_;
-  mutable std::mutex participantsMutex_;
-  std::vector<std::unique_ptr<Participant>> more_;
+  mutable Mutex mutex_;
+  std::vector<std::unique_ptr<Participant>> more_ GUARDED_BY(mutex_);
   /// The first and the others.
-  std::vector<Place> participants_;
-  bool isFull_ = false;
+  std::vector<Place> participants_ GUARDED_BY(mutex_);
+  bool isFull_ GUARDED_BY(mutex_) = false;
+  /// Of all participants.
+  std::uint32_t endpoints_ GUARDED_BY(mutex_) = 0;
+  std::atomic<bool> heardAll_ = true;
   Outbox outbox_;
   TrafficReporter reporter_;
-  std::mutex censusMutex_;
-  std::uint32_t endpoints_ = 0;
   std::unique_ptr<Writer> censusWriter_;
   std::unique_ptr<Reader> censusReader_;
 };

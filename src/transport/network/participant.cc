@@ -37,7 +37,7 @@ constexpr std::string_view kHexDigits = "0123456789abcdef";
 // The kernel gives what net.core.rmem_max and wmem_max allow: an image needs room for all of its packets at once.
 constexpr std::uint32_t kSocketBuffer = 4 << 20;
 
-// How soon a process that died without a word is forgotten.
+// How long a process that died without a goodbye stays known.
 const Duration_t kLease{6, 0};
 const Duration_t kAnnouncementPeriod{2, 0};
 
@@ -47,9 +47,9 @@ constexpr std::chrono::seconds kAnnounceBy{1};
 /// Settings that Fast DDS has once for the whole process.
 void setUpLibrary() {
   static const bool once = [] {
-    // what it has to say of its own goes to stdout, which is for our output
+    // Fast DDS logs to stdout, which is for our output
     eprosima::fastdds::dds::Log::ClearConsumers();
-    // endpoints that call into each other across participants do so without care for one that is being destroyed
+    // intraprocess delivery calls endpoints of other participants while these may be being destroyed
     eprosima::fastrtps::LibrarySettingsAttributes settings;
     settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
     eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
@@ -85,7 +85,7 @@ rtps::RTPSParticipantAttributes participantAttributes(const Participant::Setting
   attributes.sendSocketBufferSize = kSocketBuffer;
   attributes.listenSocketBufferSize = kSocketBuffer;
 
-  // to listen at one port alone keeps the library from joining its multicast group
+  // with a single port to listen at, the library joins no multicast group
   const rtps::Locator_t own = locatorOf(interface ? interface->address : kLoopback);
   attributes.defaultUnicastLocatorList.push_back(own);
   attributes.builtin.metatrafficUnicastLocatorList.push_back(own);
@@ -191,7 +191,7 @@ void Participant::onParticipantDiscovery(rtps::RTPSParticipant* participant, rtp
   }
   if (info.status == Info::DISCOVERED_PARTICIPANT) {
     for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) {
-      // it gets an announcement in return when this call is over
+      // the library answers it with an announcement after this call
       gate_->announcements.met(locator.port);
     }
   }

@@ -15,7 +15,7 @@ namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-// The library writes down which fragments are missing where they belong, and rounds the place up.
+// The library stores the list of missing fragments in the memory of the fragments, rounded up by at most this.
 constexpr std::size_t kFragmentNote = 8;
 
 void setPayload(rtps::CacheChange_t& change, Buffer* buffer, rtps::IPayloadPool* owner) {
@@ -58,13 +58,13 @@ bool SentSamples::release_payload(Change& change) {
 }
 
 Buffer* ReceivedSamples::bufferOf(const Change& change) {
-  const std::lock_guard lock(mutex_);
-  const auto found = std::ranges::find(arriving_, &change, &Entry::change);
+  const Lock lock(mutex_);
+  const auto found = std::ranges::find(arriving_, &change, &Sample::change);
   return found == arriving_.end() ? nullptr : found->buffer;
 }
 
 bool ReceivedSamples::get_payload(std::uint32_t size, Change& change) {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (size > kMostArriving - arrivingBytes_) return false;
   Buffer* buffer = buffers_.take(size + kFragmentNote);
   buffer->bytes = buffer->bytes.first(size);
@@ -84,8 +84,8 @@ bool ReceivedSamples::get_payload(rtps::SerializedPayload_t& data, IPayloadPool*
 
 bool ReceivedSamples::release_payload(Change& change) {
   {
-    const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find(arriving_, &change, &Entry::change);
+    const Lock lock(mutex_);
+    const auto found = std::ranges::find(arriving_, &change, &Sample::change);
     if (found == arriving_.end()) return false;
     buffers_.giveBack(found->buffer);
     arrivingBytes_ -= found->size;

@@ -3,10 +3,10 @@
 #include <fastdds/rtps/history/IPayloadPool.h>
 
 #include <deque>
-#include <mutex>
 #include <vector>
 
 #include "transport/buffer_pool.hh"
+#include "transport/locks.hh"
 #include "transport/payload.hh"
 
 namespace pongsim::transport {
@@ -53,16 +53,16 @@ class ReceivedSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
   bool release_payload(Change& change) override;
 
  private:
-  struct Entry {
+  struct Sample {
     const Change* change;
     Buffer* buffer;
     std::size_t size;
   };
 
-  std::mutex mutex_;
-  BufferPool buffers_;
-  std::vector<Entry> arriving_;
-  std::size_t arrivingBytes_ = 0;
+  Mutex mutex_;
+  BufferPool buffers_ GUARDED_BY(mutex_);
+  std::vector<Sample> arriving_ GUARDED_BY(mutex_);
+  std::size_t arrivingBytes_ GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace pongsim::transport

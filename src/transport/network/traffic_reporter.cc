@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kReportPeriod{100};
 
-// An asker whose reader is not found by then has gone.
+// Reporting ends after this time without a reader.
 constexpr std::chrono::seconds kAskerPatience{2};
 
 }  // namespace
@@ -29,22 +29,22 @@ TrafficReporter::TrafficReporter(std::function<std::unique_ptr<Writer>(std::func
 TrafficReporter::~TrafficReporter() { stop(); }
 
 void TrafficReporter::setSource(std::function<TrafficReport()> source) {
-  const std::lock_guard lock(sourceMutex_);
+  const Lock lock(sourceMutex_);
   source_ = std::move(source);
 }
 
 void TrafficReporter::ask() {
-  const std::lock_guard lock(mutex_);
+  const Lock lock(mutex_);
   if (isOver_) return;
   isAsked_ = true;
-  // a thread, for an endpoint can't be made in a call of DDS's
+  // on its own thread: an endpoint can't be made in a callback of DDS
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
   changed_.notify_one();
 }
 
 void TrafficReporter::stop() {
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     isOver_ = true;
   }
   changed_.notify_one();
@@ -52,9 +52,9 @@ void TrafficReporter::stop() {
 }
 
 void TrafficReporter::run() {
-  std::unique_lock lock(mutex_);
+  Lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return isOver_ || isAsked_; });
+    changed_.wait(lock, [this]() REQUIRES(mutex_) { return isOver_ || isAsked_; });
     if (isOver_) return;
     isAsked_ = false;
     lock.unlock();
@@ -68,11 +68,11 @@ void TrafficReporter::run() {
   }
 }
 
-/// Until nobody asks any more. The writer's end waits for calls that take the mutex, which is not held therefore.
+/// Reports until nobody asks any more. Without the mutex: the writer's destructor waits for callbacks that lock it.
 void TrafficReporter::answer() {
   const std::unique_ptr<Writer> writer = makeWriter_([this] {
     {
-      const std::lock_guard changeLock(mutex_);
+      const Lock changeLock(mutex_);
       haveReadersChanged_ = true;
     }
     changed_.notify_one();
@@ -83,8 +83,8 @@ void TrafficReporter::answer() {
       report(*writer);
       patience = deadlineAfter(kAskerPatience);
     }
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, kReportPeriod, [this] { return isOver_ || haveReadersChanged_; });
+    Lock lock(mutex_);
+    changed_.wait_for(lock, kReportPeriod, [this]() REQUIRES(mutex_) { return isOver_ || haveReadersChanged_; });
     haveReadersChanged_ = false;
     isOver = isOver_;
   }
@@ -93,7 +93,7 @@ void TrafficReporter::answer() {
 void TrafficReporter::report(Writer& writer) {
   std::vector<std::byte> bytes;
   {
-    const std::lock_guard lock(sourceMutex_);
+    const Lock lock(sourceMutex_);
     if (!source_) return;
     bytes = trafficBytes(source_());
   }

@@ -3,9 +3,9 @@
 #include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <thread>
 
+#include "transport/locks.hh"
 #include "transport/network/traffic_report.hh"
 
 namespace pongsim::transport {
@@ -41,13 +41,14 @@ class TrafficReporter {
   void report(Writer& writer);
 
   std::function<std::unique_ptr<Writer>(std::function<void()>)> makeWriter_;
-  std::mutex sourceMutex_;
-  std::function<TrafficReport()> source_;
-  std::mutex mutex_;
+  /// Held while the source is called.
+  Mutex sourceMutex_;
+  std::function<TrafficReport()> source_ GUARDED_BY(sourceMutex_);
+  Mutex mutex_;
   std::condition_variable changed_;
-  bool isAsked_ = false;
-  bool haveReadersChanged_ = false;
-  bool isOver_ = false;
+  bool isAsked_ GUARDED_BY(mutex_) = false;
+  bool haveReadersChanged_ GUARDED_BY(mutex_) = false;
+  bool isOver_ GUARDED_BY(mutex_) = false;
   std::thread thread_;
 };
 

@@ -15,7 +15,7 @@ namespace pongsim::transport {
 
 namespace {
 
-// How soon it is seen that the service that has come has other types.
+// Period of checking whether the service has appeared with other types, which changes no reader.
 constexpr std::chrono::milliseconds kLookForReaders{20};
 
 CallResult failed(CallOutcome outcome, const std::string& service, const std::string& what) {
@@ -32,13 +32,13 @@ std::string takes(std::string_view requestType, std::string_view replyType) {
 class ServiceClient::CallScope {
  public:
   CallScope(ServiceClient& client, const ParticipantId& server) : client_(client) {
-    const std::lock_guard lock(client.mutex_);
+    const Lock lock(client.mutex_);
     number_ = client.nextCall_++;
     call_ = &client.calls_[number_];
     call_->server = server;
   }
   ~CallScope() {
-    const std::lock_guard lock(client_.mutex_);
+    const Lock lock(client_.mutex_);
     client_.calls_.erase(number_);
   }
   CallScope(const CallScope&) = delete;
@@ -49,7 +49,7 @@ class ServiceClient::CallScope {
   /// Waits for the answer; `isThere` says whether the service still is.
   template <class IsThere>
   CallResult wait(const std::string& service, Message& reply, TimePoint deadline, IsThere isThere) {
-    std::unique_lock lock(client_.mutex_);
+    Lock lock(client_.mutex_);
     client_.changed_.wait_until(lock, deadline, [&] { return call_->header || call_->gone || !isThere(); });
     if (!call_->header && !call_->gone && isThere()) {
       return failed(CallOutcome::kNoAnswer, service, "did not answer in time");
@@ -67,9 +67,9 @@ ServiceClient::ServiceClient(Network* network, ServiceServer& own, std::function
     : network_(network), own_(own), arrived_(std::move(arrived)) {}
 
 ServiceClient::~ServiceClient() {
-  for (auto& [key, line] : lines_) {
-    network_->end(std::move(line->reader));
-    network_->end(std::move(line->writer));
+  for (auto& [key, connection] : connections_) {
+    network_->end(std::move(connection->reader));
+    network_->end(std::move(connection->writer));
   }
 }
 
@@ -89,7 +89,7 @@ CallResult ServiceClient::call(const DispatchQueue& asker, std::string_view serv
     result = callOther(name, request, reply, deadline);
   }
   if (result.outcome != CallOutcome::kNoService) return result;
-  // it may have come meanwhile
+  // a gateway may have found it meanwhile
   return gateways_.call(name, request, reply, deadline).value_or(std::move(result));
 }
 
@@ -107,10 +107,10 @@ CallResult ServiceClient::callOwn(const DispatchQueue& asker, const std::string&
 
 CallResult ServiceClient::callOther(const std::string& service, const Message& request, Message& reply,
                                     TimePoint deadline) {
-  Line& line = lineTo(service, serviceType(msgs::typeName(request), msgs::typeName(reply)));
-  const std::optional<ParticipantId> server = waitForServer(line, deadline);
+  Connection& connection = connectionTo(service, serviceType(msgs::typeName(request), msgs::typeName(reply)));
+  const std::optional<ParticipantId> server = waitForServer(connection, deadline);
   if (!server) {
-    const std::string other = otherTypes(line);
+    const std::string other = otherTypes(connection);
     if (!other.empty()) return failed(CallOutcome::kOtherTypes, service, other);
     return {CallOutcome::kNoService, "there is no service '" + service + "'"};
   }
@@ -119,72 +119,74 @@ CallResult ServiceClient::callOther(const std::string& service, const Message& r
   const RequestHeader header{*server, call.number()};
   const std::size_t size = msgs::byteSize(request);
   if (size > kMaximumMessage) return failed(CallOutcome::kNoAnswer, service, "can't be sent such a large request");
-  line.writer->write(headerSize(header) + size,
-                     [&](std::span<std::byte> place) { msgs::writeBytes(request, writeHeader(header, place)); });
-  return call.wait(service, reply, deadline, [&] { return line.writer->hasReaderOf(*server); });
+  connection.writer->write(headerSize(header) + size,
+                           [&](std::span<std::byte> place) { msgs::writeBytes(request, writeHeader(header, place)); });
+  return call.wait(service, reply, deadline, [&] { return connection.writer->hasReaderOf(*server); });
 }
 
-ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std::string& type) {
-  const std::lock_guard lock(setUp_);
+ServiceClient::Connection& ServiceClient::connectionTo(const std::string& service, const std::string& type) {
+  const Lock lock(connecting_);
   const std::string key = service + " " + type;
-  if (const auto found = lines_.find(key); found != lines_.end()) return *found->second;
-  // both ways or none
+  if (const auto found = connections_.find(key); found != connections_.end()) return *found->second;
+  // both before the first endpoint, so that a missing permission leaves nothing
   network_->requirePermission(TopicUse::kSubscribe, replyTopic(service));
   network_->requirePermission(TopicUse::kPublish, requestTopic(service));
-  auto line = std::make_unique<Line>();
-  line->service = service;
-  line->type = type;
-  // the way back first: a request waits at the service until that is known
-  line->reader = network_->makeReader(replyTopic(service), type,
-                                      [this, to = line.get()](const ParticipantId& sender, const Buffer& sample) {
-                                        receive(*to, sender, sample.bytes);
-                                      });
+  auto connection = std::make_unique<Connection>();
+  connection->service = service;
+  connection->type = type;
+  // the reader of replies first: the service holds a request back until it has found that reader
+  connection->reader = network_->makeReader(
+      replyTopic(service), type, [this, to = connection.get()](const ParticipantId& sender, const Buffer& sample) {
+        receive(*to, sender, sample.bytes);
+      });
   try {
-    line->writer = network_->makeWriter(
-        requestTopic(service), type, [this] { changed(); }, line->reader->participant(), Content::kCalls);
-    return *lines_.emplace(key, std::move(line)).first->second;
+    connection->writer = network_->makeWriter(
+        requestTopic(service), type, [this] { changed(); }, connection->reader->participant(), Content::kCalls);
+    return *connections_.emplace(key, std::move(connection)).first->second;
   } catch (...) {
-    network_->end(std::move(line->reader));
-    if (line->writer) network_->end(std::move(line->writer));
+    network_->end(std::move(connection->reader));
+    if (connection->writer) network_->end(std::move(connection->writer));
     throw;
   }
 }
 
 /// @return A process that has the service; nothing at `deadline` or where the only ones have it with other types.
-std::optional<ParticipantId> ServiceClient::waitForServer(const Line& line, TimePoint deadline) {
+std::optional<ParticipantId> ServiceClient::waitForServer(const Connection& connection, TimePoint deadline) {
   for (bool late = false;;) {
-    if (const std::optional<ParticipantId> server = line.writer->newestReader()) return server;
-    if (late || !otherTypes(line).empty()) return std::nullopt;
-    std::unique_lock lock(mutex_);
+    if (const std::optional<ParticipantId> server = connection.writer->newestReader()) return server;
+    if (late || !otherTypes(connection).empty()) return std::nullopt;
+    Lock lock(mutex_);
     const TimePoint now = std::chrono::steady_clock::now();
     late = now >= deadline;
-    changed_.wait_until(lock, std::min(deadline, now + kLookForReaders), [&] { return line.writer->hasReaders(); });
+    changed_.wait_until(lock, std::min(deadline, now + kLookForReaders),
+                        [&] { return connection.writer->hasReaders(); });
   }
 }
 
-/// @return What the service that is there takes, or nothing where there is none or one of the line's types, which may
-/// be known before there is a way to it.
-std::string ServiceClient::otherTypes(const Line& line) const {
-  const ServiceInfo info = network_->directory().service(line.service);
-  const auto fits = [&line](const ServiceInfo::Provider& provider) {
-    return serviceType(provider.requestType, provider.replyType) == line.type;
+/// @return The types of the service, if it exists only with other types than the connection's. Empty also while a
+/// service with the right types is announced but not yet matched.
+std::string ServiceClient::otherTypes(const Connection& connection) const {
+  const ServiceInfo info = network_->directory().service(connection.service);
+  const auto fits = [&connection](const ServiceInfo::Provider& provider) {
+    return serviceType(provider.requestType, provider.replyType) == connection.type;
   };
   if (info.providers.empty() || std::ranges::any_of(info.providers, fits)) return {};
   return takes(info.providers.front().requestType, info.providers.front().replyType);
 }
 
-void ServiceClient::receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload) {
+void ServiceClient::receive(const Connection& connection, const ParticipantId& sender,
+                            std::span<const std::byte> payload) {
   std::optional<std::span<const std::byte>> message = messageInPayload(payload);
   std::optional<ReplyHeader> header = message ? readReplyHeader(*message) : std::nullopt;
   if (!header) {
     static const Logger log("transport");
-    log.warning("service '" + line.service + "': a reply from process " +
+    log.warning("service '" + connection.service + "': a reply from process " +
                 std::to_string(network_->directory().pidOf(sender)) + " is damaged; dropped");
     return;
   }
-  if (header->client != line.reader->participant()) return;
+  if (header->client != connection.reader->participant()) return;
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     const auto call = calls_.find(header->call);
     if (call == calls_.end() || call->second.server != sender) return;
     call->second.message.assign(message->begin(), message->end());
@@ -198,9 +200,9 @@ void ServiceClient::answerOwn(const DispatchQueue& queue, std::uint64_t number,
   std::map<std::uint64_t, Posted>::node_type posted;
   DispatchQueue* other = nullptr;
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     if (const auto found = posted_.find(number); found != posted_.end() && found->second.asker != &queue) {
-      // its function is for the thread of who asked
+      // called in the asker's dispatch, on its thread
       other = found->second.asker;
       found->second.header = header;
       found->second.message.assign(message.begin(), message.end());
@@ -227,18 +229,18 @@ void ServiceClient::answerOwn(const DispatchQueue& queue, std::uint64_t number,
 }
 
 std::size_t ServiceClient::dispatch(DispatchQueue& queue) {
-  // before it is looked at: what comes from now on sets it again
+  // cleared first: a response that arrives from now on sets it again
   if (!queue.answersWaiting.exchange(false)) return 0;
   std::vector<std::uint64_t> numbers;
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     numbers.swap(queue.answeredRequests);
   }
   std::size_t called = 0;
   for (const std::uint64_t number : numbers) {
     std::map<std::uint64_t, Posted>::node_type posted;
     {
-      const std::lock_guard lock(mutex_);
+      const Lock lock(mutex_);
       posted = posted_.extract(number);
     }
     if (!posted) continue;
@@ -260,7 +262,7 @@ std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::stri
   msgs::writeBytes(request, message);
   std::uint64_t number = 0;
   {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     number = nextCall_++;
     if (answered) posted_[number] = {&asker, name, newMessage(replyType), std::move(answered)};
   }
@@ -276,8 +278,8 @@ std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::stri
 
 void ServiceClient::forget(std::uint64_t request) {
   std::map<std::uint64_t, Posted>::node_type posted;
-  // its function ends without the mutex
-  const std::lock_guard lock(mutex_);
+  // declared before the lock: its function is destroyed without the mutex
+  const Lock lock(mutex_);
   posted = posted_.extract(request);
 }
 
@@ -293,8 +295,8 @@ CallResult ServiceClient::read(const std::string& service, const std::optional<R
 }
 
 void ServiceClient::changed() {
-  // whoever is about to wait has looked either before, and waits by now, or afterwards
-  { const std::lock_guard lock(mutex_); }
+  // locked once, so that a thread that is about to wait, and has seen nothing yet, does not miss the notification
+  { const Lock lock(mutex_); }
   changed_.notify_all();
 }
 

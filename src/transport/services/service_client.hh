@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +14,7 @@
 
 #include "pongsim/service.hh"
 #include "transport/deadline.hh"
-#include "transport/inbox.hh"
+#include "transport/locks.hh"
 #include "transport/services/gateways.hh"
 #include "transport/services/service_payload.hh"
 
@@ -49,7 +48,7 @@ class ServiceClient {
 
   /// Calls the functions of this queue's requests to which services of other queues have responded.
   /// @return Their number.
-  std::size_t dispatch(DispatchQueue& queue);
+  std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
 
   /// Cancels the call of the request's function.
   void forget(std::uint64_t request);
@@ -60,11 +59,11 @@ class ServiceClient {
 
   /// Handles a response to a call of this transport's own service, of `queue`; nothing if the service has ended.
   void answerOwn(const DispatchQueue& queue, std::uint64_t call, const std::optional<ReplyHeader>& header,
-                 std::span<const std::byte> message);
+                 std::span<const std::byte> message) REQUIRES(dispatchingRole);
 
  private:
   /// The endpoints for a service, kept for the next call.
-  struct Line {
+  struct Connection {
     std::string service;
     std::string type;
     std::unique_ptr<Writer> writer;
@@ -92,10 +91,10 @@ class ServiceClient {
   CallResult callOwn(const DispatchQueue& asker, const std::string& service, const Message& request, Message& reply,
                      TimePoint deadline);
   CallResult callOther(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
-  Line& lineTo(const std::string& service, const std::string& type);
-  std::optional<ParticipantId> waitForServer(const Line& line, TimePoint deadline);
-  std::string otherTypes(const Line& line) const;
-  void receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload);
+  Connection& connectionTo(const std::string& service, const std::string& type);
+  std::optional<ParticipantId> waitForServer(const Connection& connection, TimePoint deadline);
+  std::string otherTypes(const Connection& connection) const;
+  void receive(const Connection& connection, const ParticipantId& sender, std::span<const std::byte> payload);
   static CallResult read(const std::string& service, const std::optional<ReplyHeader>& header,
                          std::span<const std::byte> message, Message& reply);
   void changed();
@@ -104,14 +103,15 @@ class ServiceClient {
   ServiceServer& own_;
   std::function<void(DispatchQueue&)> arrived_;
   Gateways gateways_;
-  std::mutex setUp_;
-  std::map<std::string, std::unique_ptr<Line>> lines_;
+  /// Held while endpoints are made.
+  Mutex connecting_;
+  std::map<std::string, std::unique_ptr<Connection>> connections_ GUARDED_BY(connecting_);
 
-  std::mutex mutex_;
+  Mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::uint64_t, Call> calls_;
-  std::map<std::uint64_t, Posted> posted_;
-  std::uint64_t nextCall_ = 0;
+  std::map<std::uint64_t, Call> calls_ GUARDED_BY(mutex_);
+  std::map<std::uint64_t, Posted> posted_ GUARDED_BY(mutex_);
+  std::uint64_t nextCall_ GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace pongsim::transport

@@ -16,11 +16,11 @@ namespace pongsim::transport {
 
 namespace {
 
-// What may wait for one service's `dispatch`.
+// Limits of the requests that wait for one service.
 constexpr std::size_t kMaximumRequests = 1000;
 constexpr std::size_t kMaximumBytes = 32 << 20;
 
-// A caller whose reader has not been found by then has gone.
+// A caller whose reader has not been found after this time is taken to have ended.
 constexpr std::chrono::seconds kPatience{10};
 
 // How long the end of a service waits for its last replies to arrive.
@@ -59,7 +59,7 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
   Offer& offer = *owned;
   bool isFirst = false;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     const auto found = offers_.find(offer.name);
     isFirst = found == offers_.end();
     if (isFirst) {
@@ -82,7 +82,7 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
                           "reply of the first");
     }
   } catch (...) {
-    end(offer, false);
+    close(offer);
     throw;
   }
   return offer;
@@ -92,7 +92,7 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
 void ServiceServer::open(Offer& offer) {
   if (network_ == nullptr) return;
   const std::string type = serviceType(offer.requestType, offer.replyType);
-  // the way back first: who finds the service finds all of it soon
+  // the writer of replies first: a caller finds the service by its reader
   offer.writer = network_->makeWriter(
       replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); }, std::nullopt, Content::kCalls);
   offer.reader = network_->makeReader(
@@ -105,7 +105,7 @@ void ServiceServer::open(Offer& offer) {
 void ServiceServer::openNext(const std::string& service) {
   Offer* next = nullptr;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     const auto found = offers_.find(service);
     if (found != offers_.end() && !found->second.front()->reader) next = found->second.front().get();
   }
@@ -118,10 +118,16 @@ void ServiceServer::openNext(const std::string& service) {
 }
 
 void ServiceServer::end(Offer& offer, bool inDispatch) {
+  std::unique_ptr<Offer> owned = close(offer);
+  if (inDispatch) offer.queue.endedOffers.push_back(std::move(owned));
+}
+
+/// Ends a service for everybody.
+std::unique_ptr<Offer> ServiceServer::close(Offer& offer) {
   std::unique_ptr<Offer> owned;
   std::deque<Offer::Request> unanswered;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     const auto offers = offers_.find(offer.name);
     const auto found = std::ranges::find(offers->second, &offer, &std::unique_ptr<Offer>::get);
     owned = std::move(*found);
@@ -134,15 +140,15 @@ void ServiceServer::end(Offer& offer, bool inDispatch) {
   for (const Offer::Request& request : unanswered) {
     if (request.client == kOwn) answerOwn_(offer.queue, request.call, std::nullopt, {});
   }
-  // a caller takes it that there will be no reply when the reader of requests has gone
+  // last replies must arrive before the reader ends: without it, callers stop waiting
   if (offer.writer) offer.writer->waitForAcknowledgement(kFarewell);
   if (offer.reader) network_->end(std::move(offer.reader));
   if (offer.writer) network_->end(std::move(offer.writer));
   if (network_ != nullptr) openNext(offer.name);
-  if (inDispatch) offer.queue.endedOffers.push_back(std::move(owned));
+  return owned;
 }
 
-/// @return The service that answers; null where there is none. With the mutex held.
+/// @return The service that answers; null where there is none.
 Offer* ServiceServer::find(const DispatchQueue& asker, const std::string& service) const {
   const auto found = offers_.find(service);
   if (found == offers_.end()) return nullptr;
@@ -152,14 +158,14 @@ Offer* ServiceServer::find(const DispatchQueue& asker, const std::string& servic
 
 std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const DispatchQueue& asker,
                                                                           const std::string& service) const {
-  const std::lock_guard lock(mutex_);
+  const RequestsLock lock(mutex_);
   const Offer* offer = find(asker, service);
   if (offer == nullptr) return std::nullopt;
   return std::pair(offer->requestType, offer->replyType);
 }
 
 std::vector<OwnService> ServiceServer::services(const DispatchQueue& queue) const {
-  const std::lock_guard lock(mutex_);
+  const RequestsLock lock(mutex_);
   std::vector<OwnService> services;
   for (const auto& [name, offers] : offers_) {
     for (const auto& offer : offers) {
@@ -184,7 +190,7 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
   if (header->server != offer.writer->participant() || offer.ended) return;
   bool isAppended = false;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     isAppended =
         append(offer, {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}});
   }
@@ -195,7 +201,7 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
   wake(offer.queue);
 }
 
-/// @return Whether there is room for it. With the mutex held.
+/// @return Whether there is room for it.
 bool ServiceServer::append(Offer& offer, Offer::Request request) {
   if (offer.ended || offer.waiting.size() >= kMaximumRequests) return false;
   if (!offer.waiting.empty() && offer.waitingBytes + request.message.size() > kMaximumBytes) return false;
@@ -210,7 +216,7 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
                          std::vector<std::byte> message) {
   DispatchQueue* queue = nullptr;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     Offer* offer = find(asker, service);
     Offer::Request request{0, kOwn, call, std::chrono::steady_clock::now(), std::move(message)};
     if (offer == nullptr || !append(*offer, std::move(request))) return false;
@@ -223,7 +229,7 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
 /// Moves those whose answers would arrive to `ready`, and drops those that nobody waits for any more.
 void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
   const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
-  std::erase_if(offer.waiting, [&](Offer::Request& request) {
+  std::erase_if(offer.waiting, [&](Offer::Request& request) REQUIRES(requestsRole) {
     const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
     if (!isReady && request.came >= tooOld) return false;
     offer.waitingBytes -= request.message.size();
@@ -233,11 +239,11 @@ void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
 }
 
 std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
-  // before it is looked at: what comes from now on sets it again
+  // cleared first: a request that arrives from now on sets it again
   if (!queue.requestsWaiting.exchange(false)) return 0;
   std::vector<Ready> ready;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     for (const auto& [name, offers] : offers_) {
       for (const auto& offer : offers) {
         if (&offer->queue == &queue) takeReady(*offer, ready);
@@ -266,7 +272,7 @@ void ServiceServer::handle(Offer& offer, const Offer::Request& request) {
 }
 
 ServiceAnswer ServiceServer::ask(Offer& offer) {
-  // as new, without knowing its class
+  // clears it; Message::Clear needs the complete class
   msgs::parseBytes({}, *offer.reply);
   try {
     return offer.handler(*offer.request, *offer.reply);
@@ -300,7 +306,7 @@ void ServiceServer::answer(Offer& offer, const Offer::Request& request, const Se
 void ServiceServer::complain(Offer& offer, const ParticipantId& sender, std::string_view what) {
   std::optional<std::uint64_t> unmentioned;
   {
-    const std::lock_guard lock(mutex_);
+    const RequestsLock lock(mutex_);
     unmentioned = offer.complaints.pass(std::chrono::steady_clock::now());
   }
   if (!unmentioned) return;

@@ -18,7 +18,7 @@
 #include "pongsim/service.hh"
 #include "transport/complaint_limit.hh"
 #include "transport/deadline.hh"
-#include "transport/inbox.hh"
+#include "transport/locks.hh"
 #include "transport/services/service_payload.hh"
 
 namespace pongsim::transport {
@@ -55,17 +55,15 @@ class Offer {
     TimePoint came;
     std::vector<std::byte> message;
   };
-  /// Requests waiting for `dispatch`; guarded by the server's mutex.
-  std::deque<Request> waiting;
-  std::size_t waitingBytes = 0;
-  ComplaintLimit complaints;
+  /// Requests waiting for `dispatch`.
+  std::deque<Request> waiting GUARDED_BY(requestsRole);
+  std::size_t waitingBytes GUARDED_BY(requestsRole) = 0;
+  ComplaintLimit complaints GUARDED_BY(requestsRole);
   std::atomic<bool> ended = false;
 };
 
 /// The services offered by a transport, or by several that share a bus. A request waits for `dispatch` of the service's
-/// queue, and until the service's writer has matched the caller's reader, since an earlier reply would be lost. Set-up
-/// is for one thread at a time, and so is `dispatch` of one queue; DDS threads only lock the mutex, which is never held
-/// while DDS is called.
+/// queue, and until the service's writer has matched the caller's reader, since an earlier reply would be lost.
 ///
 /// Two queues may offer services of the same name. The first one handles all requests but those of the second one's own
 /// queue, which gets all when the first one has ended.
@@ -84,9 +82,9 @@ class ServiceServer {
 
   /// @throws std::invalid_argument for an invalid name, an unknown type, or a name already offered by the queue.
   Offer& add(DispatchQueue& queue, std::string_view service, std::string_view requestType, std::string_view replyType,
-             ServiceHandler handler);
+             ServiceHandler handler) REQUIRES(setUpRole);
   /// @param inDispatch Whether `dispatch` is running.
-  void end(Offer& offer, bool inDispatch);
+  void end(Offer& offer, bool inDispatch) REQUIRES(dispatchingRole, setUpRole);
 
   /// @param asker The caller's queue.
   /// @return Request and reply type of the service that would respond, or nothing.
@@ -102,7 +100,7 @@ class ServiceServer {
   /// @return False if there is no such service any more, or too many requests are waiting.
   bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
 
-  std::size_t dispatch(DispatchQueue& queue);
+  std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
 
  private:
   struct Ready {
@@ -110,12 +108,13 @@ class ServiceServer {
     Offer::Request request;
   };
 
-  void open(Offer& offer);
-  void openNext(const std::string& service);
-  Offer* find(const DispatchQueue& asker, const std::string& service) const;
+  void open(Offer& offer) REQUIRES(setUpRole);
+  void openNext(const std::string& service) REQUIRES(setUpRole);
+  std::unique_ptr<Offer> close(Offer& offer) REQUIRES(setUpRole);
+  Offer* find(const DispatchQueue& asker, const std::string& service) const REQUIRES(requestsRole);
   void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
-  bool append(Offer& offer, Offer::Request request);
-  void takeReady(Offer& offer, std::vector<Ready>& ready);
+  bool append(Offer& offer, Offer::Request request) REQUIRES(requestsRole);
+  void takeReady(Offer& offer, std::vector<Ready>& ready) REQUIRES(requestsRole);
   void handle(Offer& offer, const Offer::Request& request);
   ServiceAnswer ask(Offer& offer);
   void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
@@ -126,10 +125,11 @@ class ServiceServer {
   Arrived arrived_;
   AnswerOwn answerOwn_;
 
+  /// Never held while a handler or DDS is called.
   mutable std::mutex mutex_;
   /// By name, in the order in which they were added.
-  std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_;
-  std::uint64_t nextNumber_ = 0;
+  std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_ GUARDED_BY(requestsRole);
+  std::uint64_t nextNumber_ GUARDED_BY(requestsRole) = 0;
   std::atomic<std::uint64_t> version_ = 0;
 };
 

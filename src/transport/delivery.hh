@@ -1,0 +1,78 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transport/channel.hh"
+#include "transport/inbox.hh"
+#include "transport/locks.hh"
+#include "transport/parcel.hh"
+
+namespace pongsim::transport {
+
+class DispatchQueue;
+
+/// Puts messages into inboxes, and gives what waits there to `dispatch`. Thread-safe.
+class Delivery {
+ public:
+  /// Guards what waits, in inboxes and queues; never held while a function of a user or DDS is called.
+  std::mutex mutex;
+
+  /// @return The unused parcels of a type, which exist as long as this.
+  SpareParcels& spareOf(const std::string& type);
+
+  /// Adds a subscription to its channel, with the latched message, and owns it.
+  Inbox& add(std::unique_ptr<Inbox> inbox) REQUIRES(setUpRole);
+  /// Takes a subscription out of its channel with what waits for it. It is kept while its queue is in `dispatch`.
+  void remove(Inbox& inbox) REQUIRES(dispatchingRole, setUpRole);
+  /// The same for one whose setting up has failed.
+  void undoAdd(Inbox& inbox) REQUIRES(setUpRole);
+  /// Lets the next `dispatch` end a subscription at once, which may be running.
+  void endLater(Inbox& inbox);
+
+  /// @return A parcel with a copy of a message; null if the channel's messages are of another class.
+  Parcel* copyOf(const Channel& channel, const Message& message, std::size_t size);
+  Parcel* takeBytes(std::size_t size);
+  /// Puts a message into the inboxes that it is for.
+  /// @param from Null for another process.
+  void deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from);
+  /// Forgets a latched message of such a sender.
+  void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
+
+  /// Moves what waits to the queue's arrivals, in the order of arrival; `release` ends their use.
+  void collect(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  void release(DispatchQueue& queue) REQUIRES(dispatchingRole);
+
+  /// Waits until `wake`, or something waits for `dispatch`.
+  void wait(DispatchQueue& queue, std::chrono::nanoseconds timeout);
+  void wake(DispatchQueue& queue);
+  /// Ends such a wait after a request or response has arrived.
+  void notify(DispatchQueue& queue);
+  bool waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout);
+  void subscribersChanged();
+
+  std::uint64_t received(const Inbox& inbox);
+  std::uint64_t dropped(const Inbox& inbox);
+
+ private:
+  void put(Inbox& inbox, Parcel* parcel) REQUIRES(waitingRole);
+  void takeOut(Inbox& inbox) REQUIRES(setUpRole, waitingRole);
+
+  std::condition_variable subscribersChanged_;
+  std::map<const Inbox*, std::unique_ptr<Inbox>> inboxes_ GUARDED_BY(waitingRole);
+  std::map<std::string, SpareParcels> spare_ GUARDED_BY(waitingRole);
+  ParcelPool parcels_ GUARDED_BY(waitingRole);
+  std::vector<Parcel*> dropped_ GUARDED_BY(waitingRole);
+  std::uint64_t nextArrival_ GUARDED_BY(waitingRole) = 0;
+};
+
+}  // namespace pongsim::transport

@@ -1,0 +1,166 @@
+// What a publisher sends, and to whom.
+#include "transport/publisher.hh"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "msgs/encoding/bytes.hh"
+#include "pongsim/log.hh"
+#include "transport/bus.hh"
+#include "transport/network/endpoint.hh"
+#include "transport/payload.hh"
+
+namespace pongsim {
+
+namespace transport {
+
+bool PublisherState::hasSubscribers() const {
+  const int here = channel.inboxCount.load(std::memory_order_relaxed) +
+                   channel.atOnceCount.load(std::memory_order_relaxed) -
+                   (options.relays ? channel.relayingCount.load(std::memory_order_relaxed) : 0);
+  return here > 0 || (writer != nullptr && writer->hasReaders());
+}
+
+namespace {
+
+using Fill = std::function<void(std::span<std::byte>)>;
+
+bool isAwaited(const PublisherState& publisher) { return publisher.options.latched || publisher.hasSubscribers(); }
+
+/// Calls `call` with each subscription at once that receives from the publisher.
+template <class Call>
+void forEachAtOnce(const PublisherState& publisher, const Call& call) {
+  Channel& channel = publisher.channel;
+  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
+  const Hearing hearing(channel);
+  for (const Inbox* inbox : channel.atOnce) {
+    if (!inbox->ended && &inbox->queue == &publisher.queue && inbox->accepts(publisher)) call(*inbox);
+  }
+}
+
+/// Whether a message goes to subscriptions of this process later, in `dispatch`, and whether to other processes.
+struct Destinations {
+  bool here;
+  bool elsewhere;
+};
+
+Destinations destinationsOf(const PublisherState& publisher) {
+  return {publisher.channel.needsInboxes(publisher.queue, publisher.options),
+          publisher.writer != nullptr && (publisher.options.latched || publisher.writer->hasReaders())};
+}
+
+/// Sends a message to those who do not receive it at once. `fill` writes it; `copy` makes a parcel with its content.
+template <class Copy>
+void sendLater(PublisherState& publisher, const Destinations& to, std::size_t size, const Fill& fill,
+               const Copy& copy) {
+  Channel& channel = publisher.channel;
+  if (size > kMaximumMessage) {
+    static const Logger log("transport");
+    log.error("topic '" + channel.topic + "': a message of " + std::to_string(size) + " bytes is too large to send");
+    return;
+  }
+  ++publisher.sent;
+  ++channel.sent;
+  const bool latched = publisher.options.latched;
+  if (to.elsewhere) publisher.writer->write(size, fill, latched ? Keeping::kKept : Keeping::kNone);
+  if (to.here) publisher.bus.delivery().deliver(channel, copy(), latched, &publisher);
+}
+
+Parcel* parcelOfBytes(PublisherState& publisher, std::size_t size, const Fill& fill) {
+  Parcel* parcel = publisher.bus.delivery().takeBytes(size);
+  fill(parcel->bytes->bytes);
+  return parcel;
+}
+
+}  // namespace
+}  // namespace transport
+
+void Publisher::End::operator()(transport::PublisherState* state) const {
+  state->bus.end(*state);
+  delete state;
+}
+
+bool Publisher::hasSubscribers() const { return state_ && state_->hasSubscribers(); }
+
+std::uint64_t Publisher::newSubscribers() {
+  if (!state_) return 0;
+  const std::uint64_t elsewhere = state_->writer == nullptr ? 0 : state_->writer->readersSoFar();
+  const std::uint64_t soFar = state_->channel.inboxesSoFar + elsewhere;
+  return soFar - std::exchange(state_->knownSubscribers, soFar);
+}
+
+void Publisher::publish(const Message& message) {
+  if (!state_) return;
+  const transport::Channel& channel = state_->channel;
+  if (msgs::typeName(message) != channel.type) {
+    throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
+                                msgs::typeName(message));
+  }
+  if (!transport::isAwaited(*state_)) return;
+  const transport::Fill fill = [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); };
+  transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) {
+    if (inbox.hearsMessages()) return inbox.hear(message, nullptr);
+    inbox.hearBytes(msgs::byteSize(message), fill);
+  });
+  const transport::Destinations to = transport::destinationsOf(*state_);
+  const std::size_t size = to.here || to.elsewhere ? msgs::byteSize(message) : 0;
+  transport::sendLater(*state_, to, size, fill, [&] {
+    transport::Parcel* parcel = state_->bus.delivery().copyOf(channel, message, size);
+    return parcel != nullptr ? parcel : transport::parcelOfBytes(*state_, size, fill);
+  });
+}
+
+void Publisher::publish(const Message& message, const Bulk& bulk) {
+  if (!state_) return;
+  const transport::Channel& channel = state_->channel;
+  const std::optional<msgs::BulkWriter> writer = msgs::BulkWriter::of(message, bulk);
+  if (msgs::typeName(message) != channel.type || !writer) {
+    throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
+                                msgs::typeName(message) + " with bytes in '" + bulk.field + "'");
+  }
+  if (!transport::isAwaited(*state_)) return;
+  const transport::Fill fill = [&writer](std::span<std::byte> place) { writer->write(place); };
+  transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) {
+    if (inbox.hearsMessages()) return inbox.hear(message, &bulk);
+    inbox.hearBytes(writer->size(), fill);
+  });
+  transport::sendLater(*state_, transport::destinationsOf(*state_), writer->size(), fill,
+                       [&] { return transport::parcelOfBytes(*state_, writer->size(), fill); });
+}
+
+void Publisher::publishBytes(std::span<const std::byte> bytes) {
+  if (!state_ || !transport::isAwaited(*state_)) return;
+  transport::Channel& channel = state_->channel;
+  // with std::ranges, GCC 12 copies single bytes
+  const transport::Fill fill = [bytes](std::span<std::byte> place) {
+    std::copy(bytes.begin(), bytes.end(), place.begin());
+  };
+  const Message* parsed = nullptr;
+  bool isMessage = true;
+  transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) REQUIRES(transport::hearingRole) {
+    if (inbox.hearsBytes()) return inbox.hearBytes(bytes.size(), fill);
+    if (parsed == nullptr && isMessage) {
+      if (!channel.read) channel.read = newMessage(channel.type);
+      isMessage = channel.read && msgs::parseBytes(bytes, *channel.read);
+      if (!isMessage) state_->bus.complain(channel, transport::kThisProcess, "is not of type " + channel.type);
+      parsed = channel.read.get();
+    }
+    if (isMessage) inbox.hear(*parsed, nullptr);
+  });
+  transport::sendLater(*state_, transport::destinationsOf(*state_), bytes.size(), fill,
+                       [&] { return transport::parcelOfBytes(*state_, bytes.size(), fill); });
+}
+
+std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }
+
+bool Publisher::waitForSubscribers(std::chrono::nanoseconds timeout) const {
+  return state_ && state_->bus.delivery().waitForSubscribers(*state_, timeout);
+}
+
+bool Publisher::waitForDelivery(std::chrono::nanoseconds timeout) const {
+  return state_ && (state_->writer == nullptr || state_->writer->waitForAcknowledgement(timeout));
+}
+
+}  // namespace pongsim

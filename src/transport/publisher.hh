@@ -1,0 +1,30 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "pongsim/node.hh"
+
+namespace pongsim::transport {
+
+class Bus;
+class Channel;
+class DispatchQueue;
+class Writer;
+
+/// What a `Publisher` has.
+struct PublisherState {
+  Bus& bus;
+  DispatchQueue& queue;
+  Channel& channel;
+  /// To other processes; null if it publishes to none.
+  Writer* const writer;
+  const PublisherOptions options;
+  std::atomic<std::uint64_t> sent = 0;
+  /// Subscribers reported so far.
+  std::uint64_t knownSubscribers = 0;
+
+  bool hasSubscribers() const;
+};
+
+}  // namespace pongsim::transport
