@@ -7,7 +7,7 @@
 #include "cli/command.hh"
 #include "cli/command_line.hh"
 #include "cli/extension/extension_command.hh"
-#include "cli/manual.hh"
+#include "cli/help/manual.hh"
 
 namespace pongsim::cli {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/extension/optional_values.hh"
-#include "cli/fortress_words.hh"
-#include "cli/ign_arguments.hh"
+#include "cli/fortress/fortress_words.hh"
+#include "cli/fortress/ign_arguments.hh"
 #include "shared/program/console.hh"
 
 namespace pongsim::cli {

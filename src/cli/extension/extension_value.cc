@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/parse_number.hh"
-#include "cli/number_option.hh"
+#include "cli/options/number_option.hh"
 #include "pongsim/program/nearest_word.hh"
 #include "shared/program/failure.hh"
 

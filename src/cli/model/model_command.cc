@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/command.hh"
-#include "cli/network_option.hh"
-#include "cli/number_option.hh"
-#include "cli/secure_option.hh"
+#include "cli/options/network_option.hh"
+#include "cli/options/number_option.hh"
+#include "cli/options/secure_option.hh"
 #include "pongsim/log.hh"
 #include "shared/program/failure.hh"
 

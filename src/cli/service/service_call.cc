@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/look_around.hh"
-#include "cli/message_option.hh"
+#include "cli/options/message_option.hh"
 #include "cli/service/service_command.hh"
 #include "cli/service/service_name.hh"
 #include "cli/topic/topic_command.hh"

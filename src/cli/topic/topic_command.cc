@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "cli/command.hh"
-#include "cli/message_option.hh"
-#include "cli/network_option.hh"
-#include "cli/number_option.hh"
-#include "cli/secure_option.hh"
+#include "cli/options/message_option.hh"
+#include "cli/options/network_option.hh"
+#include "cli/options/number_option.hh"
+#include "cli/options/secure_option.hh"
 #include "cli/topic/topic_name.hh"
 #include "pongsim/log.hh"
 #include "shared/program/console.hh"

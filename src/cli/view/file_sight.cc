@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "cli/diagnostic_report.hh"
+#include "cli/files/diagnostic_report.hh"
+#include "cli/files/world_file.hh"
 #include "cli/view/view_command.hh"
-#include "cli/world_file.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim::cli {

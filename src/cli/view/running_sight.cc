@@ -1,7 +1,7 @@
 #include <optional>
 #include <utility>
 
-#include "cli/diagnostic_report.hh"
+#include "cli/files/diagnostic_report.hh"
 #include "cli/stop_signal.hh"
 #include "cli/view/view_command.hh"
 #include "cli/world/world_finder.hh"

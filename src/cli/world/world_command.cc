@@ -10,9 +10,9 @@
 
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
-#include "cli/network_option.hh"
-#include "cli/number_option.hh"
-#include "cli/secure_option.hh"
+#include "cli/options/network_option.hh"
+#include "cli/options/number_option.hh"
+#include "cli/options/secure_option.hh"
 #include "pongsim/log.hh"
 #include "shared/program/console.hh"
 #include "shared/program/failure.hh"

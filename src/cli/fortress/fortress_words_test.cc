@@ -1,4 +1,4 @@
-#include "cli/fortress_words.hh"
+#include "cli/fortress/fortress_words.hh"
 
 #include <gtest/gtest.h>
 

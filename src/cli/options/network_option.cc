@@ -1,4 +1,4 @@
-#include "cli/network_option.hh"
+#include "cli/options/network_option.hh"
 
 #include <CLI/App.hpp>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "cli/message_option.hh"
+#include "cli/options/message_option.hh"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cli/number_option.hh"
+#include "cli/options/number_option.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cli/diagnostic_report.hh"
+#include "cli/files/diagnostic_report.hh"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "cli/version.hh"
+#include "cli/help/version.hh"
 
 #include <CLI/App.hpp>
 

@@ -1,4 +1,4 @@
-#include "cli/world_file.hh"
+#include "cli/files/world_file.hh"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "cli/secure_option.hh"
+#include "cli/options/secure_option.hh"
 
 #include <CLI/App.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "cli/offline_option.hh"
+#include "cli/options/offline_option.hh"
 
 #include <CLI/App.hpp>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "cli/ign_arguments.hh"
+#include "cli/fortress/ign_arguments.hh"
 
 #include <gtest/gtest.h>
 

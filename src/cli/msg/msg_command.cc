@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/command.hh"
-#include "cli/message_option.hh"
+#include "cli/options/message_option.hh"
 #include "cli/own_folder.hh"
 #include "msgs/encoding/message_template.hh"
 #include "msgs/types/definition.hh"

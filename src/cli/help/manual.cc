@@ -1,4 +1,4 @@
-#include "cli/manual.hh"
+#include "cli/help/manual.hh"
 
 #include <CLI/App.hpp>
 #include <algorithm>
