@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cstdint>
 #include <iterator>
 #include <span>
@@ -458,6 +459,7 @@ void Engine::transfer(StateArchive& archive) {
 }
 
 void Engine::step(Time dt, world::State& state) {
+  assert(parts_->bodies.size() == state.links.size() && parts_->joints.size() == state.joints.size());
   parts_->dt = toSeconds(dt);
   if (std::exchange(parts_->state, &state) != &state || !parts_->frictionFrames.empty()) parts_->world.forgetRest();
   parts_->slowedDown = world::kNoSlot;

@@ -1,7 +1,7 @@
 #include "world/entities.hh"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -153,6 +153,7 @@ void Entities::addAllOrNothing(Add add) {
     undoInsertions(before);
     throw;
   }
+  assert(isConsistent());
 }
 
 Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
@@ -202,6 +203,7 @@ void Entities::undoInsertions(const Extent& before) noexcept {
   worldJoints_.resize(before.worldJoints);
   topLevelModels_.resize(before.topLevelModels);
   lastId_ = before.lastId;
+  assert(isConsistent());
 }
 
 void Entities::changeLight(Slot light, std::shared_ptr<const description::Light> changed) {

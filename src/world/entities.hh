@@ -263,6 +263,9 @@ class Entities {
   /// @return The links of a model and of its nested models.
   std::vector<Slot> allLinks(Slot model) const;
 
+  /// @return Whether ids are in order, slots are in range, and parts are set aside like what they are part of.
+  bool isConsistent() const;
+
   /// @return A number that changes when names may have become free.
   std::uint64_t removals() const { return removals_; }
 

@@ -1,6 +1,7 @@
 // Entities that go for good.
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -123,6 +124,7 @@ void Entities::remove(const Gone& gone, std::uint64_t from) {
   erase(sensors_, gone.sensors);
   erase(lights_, gone.lights);
   renumber(gone, from);
+  assert(isConsistent());
 }
 
 // All are in the order of their ids, so that what stands before the first that goes names nothing behind it.

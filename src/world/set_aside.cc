@@ -1,6 +1,7 @@
 // Entities that are not there for a while: those of unloaded levels.
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,7 @@ Entities::Switched Entities::setAside(const std::vector<std::uint64_t>& ids) {
   for (const ModelRecord& model : present(models_)) {
     if (model.parent == kNoSlot) topLevelModels_.push_back(static_cast<Slot>(&model - models_.data()));
   }
+  assert(isConsistent());
   switched.isAny = listSetAside() != before;
   return switched;
 }
