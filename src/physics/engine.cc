@@ -1,9 +1,6 @@
 #include "physics/engine.hh"
 
-#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cstdint>
 #include <iterator>
@@ -13,22 +10,19 @@
 #include <utility>
 
 #include "base/arena.hh"
-#include "base/prefetch.hh"
 #include "physics/body.hh"
-#include "physics/contacts/collision_configuration.hh"
 #include "physics/contacts/contact_filter.hh"
 #include "physics/contacts/contact_list.hh"
+#include "physics/contacts/friction_frames.hh"
 #include "physics/contacts/manifold_state.hh"
 #include "physics/contacts/surface.hh"
 #include "physics/convert.hh"
-#include "physics/dynamics_world.hh"
-#include "physics/gearbox.hh"
 #include "physics/joint.hh"
-#include "physics/solving/friction_frames.hh"
+#include "physics/stepper.hh"
 
 namespace pongsim::physics {
 
-struct Engine::Parts final : GroupWork {
+struct Engine::Parts {
   Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld,
         CollisionConfiguration& configuration, base::Arena& arenaOfWorld)
       : entities(entitiesOfWorld),
@@ -37,20 +31,11 @@ struct Engine::Parts final : GroupWork {
         arena(arenaOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
-        world(settings, configuration, arena, *this) {
-    world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
+        stepper(settings, configuration, arena) {
+    stepper.collisions().setFilter(filter);
     grow();
   }
-  ~Parts() override;
-
-  void prepare(std::span<btCollisionObject* const> groupBodies, std::span<btTypedConstraint* const> groupJoints,
-               double seconds) override;
-  void finish(std::span<btCollisionObject* const> groupBodies,
-              std::span<btTypedConstraint* const> groupJoints) override;
-  void prefetch(std::size_t member) const override { base::prefetch(*moving[member]); }
-  void prefetchSurface(std::size_t member) const override { moving[member]->shape().prefetch(); }
-  // what it is stands in it; one of a gearbox's parts is smaller
-  void prefetch(const btTypedConstraint& joint) const override { base::prefetch(joint, sizeof(Joint)); }
+  ~Parts();
 
   void grow();
   void prepareHulls();
@@ -62,9 +47,9 @@ struct Engine::Parts final : GroupWork {
   void remove(const world::Removal& removal);
   void setAside(const world::Entities::Switched& switched);
   void transferKeptTouches(StateArchive& archive);
-  /// Takes the bodies of these links out of the world.
+  /// Removes the bodies of these links from collision detection.
   void takeOut(std::span<const world::Slot> links);
-  /// Tells bodies and joints of their slots, and the world of who moves.
+  /// Sets the slots of bodies and joints, and the lists of those that move.
   void renumber();
   /// As `renumber`, where nothing before these has changed.
   void renumberFrom(world::Slot firstLink, world::Slot firstJoint);
@@ -84,7 +69,7 @@ struct Engine::Parts final : GroupWork {
   SharedShapes shared;
   Vector3 gravity;
   ContactFilter filter;
-  DynamicsWorld world;
+  Stepper stepper;
   /// What joints to the world hold on to.
   btRigidBody anchor{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)};
   /// One a link, in the order of their slots.
@@ -92,7 +77,7 @@ struct Engine::Parts final : GroupWork {
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
   std::vector<base::Arena::Pointer<Joint>> joints;
-  /// For each joint, how many constraints the world has of those up to it.
+  /// For each joint, the number of joints between moving bodies up to it.
   std::vector<std::size_t> holdingEnd;
   FrictionFrames frictionFrames;
   /// The contacts of two links of which one, or both, are set aside.
@@ -106,54 +91,20 @@ struct Engine::Parts final : GroupWork {
   struct Scratch {
     std::vector<btRigidBody*> freed;
     std::vector<btRigidBody*> bodies;
-    std::vector<btTypedConstraint*> joints;
+    std::vector<Joint*> joints;
     std::vector<base::Arena::Pointer<Body>> gone;
   };
   Scratch scratch;
   /// Length of the last step [s].
   double dt = 1;
-
-  /// What the step writes to.
-  world::State* state = nullptr;
-  /// The first link whose motion has exploded, else `world::kNoSlot`.
-  std::atomic<world::Slot> exploded = world::kNoSlot;
-  /// The first link that was slowed down in this step, likewise.
-  std::atomic<world::Slot> slowedDown = world::kNoSlot;
 };
 
-namespace {
-
-void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
-  world::Slot before = first;
-  while (link < before && !first.compare_exchange_weak(before, link)) {
+Engine::Parts::~Parts() {
+  scratch.bodies.clear();
+  for (const auto& body : bodies) {
+    if (body->rigid().getBroadphaseHandle() != nullptr) scratch.bodies.push_back(&body->rigid());
   }
-}
-
-}  // namespace
-
-Engine::Parts::~Parts() { world.bullet().clear(); }
-
-void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
-                            std::span<btTypedConstraint* const> groupJoints, double seconds) {
-  for (btTypedConstraint* joint : groupJoints) {
-    if (!isGearReference(*joint)) static_cast<Joint*>(joint)->prepare(seconds);
-  }
-  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds, !groupJoints.empty());
-}
-
-void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
-                           std::span<btTypedConstraint* const> groupJoints) {
-  for (btCollisionObject* object : groupBodies) {
-    Body& body = bodyOf(*object);
-    if (body.slowDown(dt)) keepFirst(slowedDown, body.link());
-    if (!body.read(state->links[body.link()])) keepFirst(exploded, body.link());
-  }
-  for (btTypedConstraint* constraint : groupJoints) {
-    if (isGearReference(*constraint)) continue;
-    Joint& joint = static_cast<Joint&>(*constraint);
-    joint.update();
-    state->joints[joint.slot()] = joint.state();
-  }
+  stepper.collisions().remove(scratch.bodies);
 }
 
 void Engine::Parts::grow() {
@@ -177,7 +128,7 @@ void Engine::Parts::grow() {
   }
   // last, for it loses contacts
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
-    world.separate(joints[slot]->getRigidBodyA(), joints[slot]->getRigidBodyB());
+    stepper.collisions().separate(joints[slot]->parent(), joints[slot]->child());
   }
 }
 
@@ -187,8 +138,7 @@ void Engine::Parts::makeRoom() {
   };
   reserve(scratch.freed, 2 * entities.joints().size());
   reserve(scratch.bodies, entities.links().size());
-  // a gearbox counts twice
-  reserve(scratch.joints, 2 * entities.joints().size());
+  reserve(scratch.joints, entities.joints().size());
   reserve(scratch.gone, entities.links().size());
 }
 
@@ -198,7 +148,7 @@ void Engine::Parts::shorten(world::Slot links, world::Slot jointCount, std::size
   for (world::Slot link = links; link < bodies.size(); ++link) {
     if (bodies[link]->rigid().getBroadphaseHandle() != nullptr) scratch.bodies.push_back(&bodies[link]->rigid());
   }
-  world.bullet().remove(scratch.bodies);
+  stepper.collisions().remove(scratch.bodies);
   moving.resize(std::min(moving.size(), movingLinks));
   joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(jointCount), joints.end());
   bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(links), bodies.end());
@@ -208,7 +158,7 @@ void Engine::Parts::shorten(world::Slot links, world::Slot jointCount, std::size
 
 void Engine::Parts::take(Body& body) {
   if (entities.links()[body.link()].isSetAside) return;
-  if (body.moves() || body.collides()) world.add(body.rigid(), body.id().value);
+  if (body.moves() || body.collides()) stepper.collisions().add(body.rigid(), static_cast<int>(body.id().value));
 }
 
 // those of all new links at once, which are worked out side by side
@@ -237,8 +187,8 @@ void Engine::Parts::remove(const world::Removal& removal) {
   std::vector<btRigidBody*>& freed = scratch.freed;
   freed.clear();
   for (const world::Slot slot : removal.joints) {
-    freed.push_back(&joints[slot]->getRigidBodyA());
-    freed.push_back(&joints[slot]->getRigidBodyB());
+    freed.push_back(&joints[slot]->parent());
+    freed.push_back(&joints[slot]->child());
   }
   takeOut(removal.links);
   frictionFrames.remove(removal.links);
@@ -258,7 +208,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
   std::ranges::sort(freed, {}, [this](const btRigidBody* body) { return bodyOf(*body).link(); });
   const auto repeated = std::ranges::unique(freed);
   freed.erase(repeated.begin(), repeated.end());
-  for (btRigidBody* body : freed) world.findPairsOf(*body);
+  for (btRigidBody* body : freed) stepper.collisions().findPairsOf(*body);
   scratch.gone.clear();
 }
 
@@ -268,12 +218,12 @@ void Engine::Parts::takeOut(std::span<const world::Slot> links) {
     btRigidBody& rigid = bodies[link]->rigid();
     if (rigid.getBroadphaseHandle() != nullptr) scratch.bodies.push_back(&rigid);
   }
-  world.bullet().remove(scratch.bodies);
+  stepper.collisions().remove(scratch.bodies);
 }
 
 void Engine::Parts::setAside(const world::Entities::Switched& switched) {
   std::vector<ManifoldPoints> touches;
-  for (ManifoldPoints& points : listManifolds(world.dispatcher())) {
+  for (ManifoldPoints& points : listManifolds(stepper.collisions().dispatcher())) {
     const auto a = static_cast<world::Slot>(points.linkA), b = static_cast<world::Slot>(points.linkB);
     if (entities.links()[a].isSetAside || entities.links()[b].isSetAside) {
       keptTouches.push_back({bodies[a]->id(), bodies[b]->id(), std::move(points)});
@@ -296,8 +246,8 @@ void Engine::Parts::setAside(const world::Entities::Switched& switched) {
     touches.push_back(std::move(touch.points));
     return true;
   });
-  world.findTouches();
-  restoreManifolds(touches, world.dispatcher());
+  stepper.findTouches();
+  restoreManifolds(touches, stepper.collisions().dispatcher());
 }
 
 void Engine::Parts::transferKeptTouches(StateArchive& archive) {
@@ -327,29 +277,22 @@ void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) 
   const auto kept = std::ranges::lower_bound(moving, firstLink, {}, &Body::link);
   const auto firstMember = static_cast<std::size_t>(kept - moving.begin());
   moving.erase(kept, moving.end());
-  std::vector<btRigidBody*>& members = scratch.bodies;
-  members.clear();
   for (world::Slot link = firstLink; link < bodies.size(); ++link) {
     bodies[link]->setLink(link);
-    if (!bodies[link]->moves() || entities.links()[link].isSetAside) continue;
-    moving.push_back(bodies[link].get());
-    members.push_back(&bodies[link]->rigid());
+    if (bodies[link]->moves() && !entities.links()[link].isSetAside) moving.push_back(bodies[link].get());
   }
-  world.bullet().setBodies(firstMember, members);
+  stepper.setBodies(firstMember, std::span(moving).subspan(firstMember));
 
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) joints[slot]->setSlot(slot);
   const std::size_t firstHolding = firstJoint == 0 ? 0 : holdingEnd[firstJoint - 1];
   holdingEnd.resize(firstJoint);
-  std::vector<btTypedConstraint*>& holding = scratch.joints;
+  std::vector<Joint*>& holding = scratch.joints;
   holding.clear();
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
-    if (joints[slot]->holdsSomething() && !entities.joints()[slot].isSetAside) {
-      holding.push_back(joints[slot].get());
-      if (btTypedConstraint* reference = joints[slot]->reference()) holding.push_back(reference);
-    }
+    if (joints[slot]->holdsSomething() && !entities.joints()[slot].isSetAside) holding.push_back(joints[slot].get());
     holdingEnd.push_back(firstHolding + holding.size());
   }
-  world.bullet().setJoints(firstHolding, holding);
+  stepper.setJoints(firstHolding, holding);
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
@@ -359,9 +302,6 @@ JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
 }
 
 Joint& Engine::Parts::jointWithAxis(world::Slot slot, std::size_t axis) {
-  // who commands one commands those of the next robots soon
-  constexpr world::Slot kAhead = 6;
-  if (slot + kAhead < joints.size()) joints[slot + kAhead]->prefetchAxis();
   if (!hasAxis(slot, axis)) throw std::invalid_argument("the joint has no such axis");
   return *joints[slot];
 }
@@ -407,7 +347,7 @@ void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3
 bool Engine::setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular) {
   if (!parts_->bodies[link]->moves()) return false;
   parts_->bodies[link]->setVelocity(linear, angular);
-  parts_->world.bullet().forgetBox(parts_->bodies[link]->rigid());
+  parts_->stepper.forgetBox(*parts_->bodies[link]);
   return true;
 }
 
@@ -418,7 +358,7 @@ Engine::Reaction Engine::jointReaction(world::Slot joint) {
 }
 
 void Engine::contacts(std::vector<Contact>& contacts) const {
-  listContacts(*parts_->world.bullet().getDispatcher(), parts_->entities, parts_->dt, contacts);
+  listContacts(parts_->stepper.collisions().dispatcher(), parts_->entities, parts_->dt, contacts);
 }
 
 void Engine::grow() { parts_->grow(); }
@@ -434,7 +374,7 @@ void Engine::reset() {
 }
 
 void Engine::setGravity(const Vector3& gravity) {
-  parts_->world.forgetRest();
+  parts_->stepper.forgetRest();
   parts_->gravity = gravity;
   for (Body* body : parts_->moving) body->setGravity(gravity);
 }
@@ -442,8 +382,8 @@ void Engine::setGravity(const Vector3& gravity) {
 void Engine::setLinkPose(world::Slot link, const Pose& X_WorldLink) {
   Body& body = *parts_->bodies[link];
   body.setPose(X_WorldLink);
-  parts_->world.moved(body.rigid());
-  parts_->world.forgetRest();
+  parts_->stepper.collisions().moved(body.rigid());
+  parts_->stepper.forgetRest();
 }
 
 void Engine::transfer(StateArchive& archive) {
@@ -452,25 +392,24 @@ void Engine::transfer(StateArchive& archive) {
   for (const auto& body : parts_->bodies) body->transfer(archive);
   for (const auto& joint : parts_->joints) joint->transfer(archive);
   if (archive.isGiving()) {
-    for (const auto& body : parts_->bodies) parts_->world.moved(body->rigid());
+    for (const auto& body : parts_->bodies) parts_->stepper.collisions().moved(body->rigid());
   }
-  parts_->world.transferContacts(archive);
+  parts_->stepper.transferContacts(archive);
   parts_->transferKeptTouches(archive);
 }
 
 void Engine::step(Time dt, world::State& state) {
   assert(parts_->bodies.size() == state.links.size() && parts_->joints.size() == state.joints.size());
   parts_->dt = toSeconds(dt);
-  if (std::exchange(parts_->state, &state) != &state || !parts_->frictionFrames.empty()) parts_->world.forgetRest();
-  parts_->slowedDown = world::kNoSlot;
+  if (!parts_->frictionFrames.empty()) parts_->stepper.forgetRest();
   parts_->frictionFrames.turn();
-  parts_->world.step(parts_->dt);
-  const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
+  parts_->stepper.step(parts_->dt, state);
+  const world::Slot exploded = parts_->stepper.exploded();
   if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);
 }
 
 void Engine::setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion) {
-  parts_->world.forgetRest();
+  parts_->stepper.forgetRest();
   Body& body = *parts_->bodies[link];
   std::optional<SurfaceMotion>& own = body.shape().part(collision).motion;
   own = motion;
@@ -486,7 +425,7 @@ std::optional<SurfaceMotion> Engine::surfaceMotion(world::Slot link, std::size_t
 
 void Engine::setSlip(world::Slot link, std::size_t collision, double slip1, double slip2) {
   LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
-  if (part.slip1 != slip1 || part.slip2 != slip2) parts_->world.forgetRest();
+  if (part.slip1 != slip1 || part.slip2 != slip2) parts_->stepper.forgetRest();
   part.slip1 = slip1;
   part.slip2 = slip2;
 }
@@ -496,7 +435,7 @@ std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) 
   return {part.slip1, part.slip2};
 }
 
-world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
+world::Slot Engine::slowedDown() const { return parts_->stepper.slowedDown(); }
 
 bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[joint]->isDriven(); }
 

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
-#include "base/prefetch.hh"
 #include "description/joint.hh"
 #include "physics/body.hh"
-#include "physics/gearbox.hh"
+#include "physics/joint_row.hh"
 #include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/state.hh"
@@ -24,16 +24,19 @@ struct JointEnd {
   bool moves = false;
 };
 
-/// A joint between two bodies as rows for Bullet's solver: those that hold the bodies together, then for each axis one
-/// for motor, friction and damping, and one for a limit that is near.
+/// A joint between two bodies as constraint rows: those that hold the bodies together, then for each axis one for
+/// motor, friction and damping, and one for a limit that is near.
 ///
 /// All rows act at the child's joint origin. Directions are in the world frame; velocities are the child's relative to
 /// the parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis
 /// in a frame that turns about the first.
 ///
 /// A gearbox couples the rotations of its ends about two axes of a third body with one row, and has no axis to command.
-class Joint final : public btTypedConstraint {
+class Joint final {
  public:
+  /// Maximum number of rows: those of a universal joint with two motors and two limits.
+  static constexpr std::size_t kMostRows = 8;
+
   /// @param reference For a gearbox: the body that its axes are fixed to.
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
         const JointEnd& reference = {});
@@ -45,16 +48,13 @@ class Joint final : public btTypedConstraint {
   /// @return Whether at least one of its ends moves.
   bool holdsSomething() const { return parentMoves_ || childMoves_; }
 
-  /// @return For a gearbox, the row that must follow it in the solver's list; null if there is none.
-  btTypedConstraint* reference() { return gearbox_ && gearbox_->part ? &*gearbox_->part : nullptr; }
+  btRigidBody& parent() const { return parent_; }
+  btRigidBody& child() const { return child_; }
+  /// @return For a gearbox, the body that its axes are fixed to, if that moves; else null.
+  btRigidBody* reference() const { return gearbox_ && gearbox_->moves ? &gearbox_->body : nullptr; }
 
   /// Number of axes that can be commanded.
   std::size_t axisCount() const { return axisCount_; }
-  /// Prefetches what a command of the first axis needs.
-  void prefetchAxis() const {
-    base::prefetch(axisCount_);
-    base::prefetch(axes_.front());
-  }
   void setVelocityTarget(double velocity, std::size_t axis);
   void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
@@ -70,7 +70,7 @@ class Joint final : public btTypedConstraint {
   void update();
 
   /// Reads the wrench that the joint exerted on its child at the joint's origin in the last step, world frame [N, N m].
-  /// Measured from the first call on.
+  /// Measured from the first call on, zero until the next step.
   void readReaction(Vector3& force, Vector3& torque);
 
   world::JointState state() const;
@@ -78,10 +78,16 @@ class Joint final : public btTypedConstraint {
   /// Saves or restores everything that it keeps from step to step.
   void transfer(StateArchive& archive);
 
-  void getInfo1(btConstraintInfo1* info) override;
-  void getInfo2(btConstraintInfo2* info) override;
-  void setParam(int, btScalar, int) override {}
-  btScalar getParam(int, int) const override { return 0; }
+  /// @return The number of rows of the coming step, once that is prepared.
+  std::size_t rowCount() const;
+  /// Writes the rows of the coming step of `dt` [s] to the front of `rows`.
+  /// @param erp Fraction of a position error that is corrected in the step (error reduction parameter).
+  /// @return The rows that were written.
+  std::span<const JointRow> rows(double dt, double erp, std::span<JointRow, kMostRows> rows);
+
+  bool isMeasured() const { return isMeasured_; }
+  /// Takes what the rows exerted on the child's centre of mass in the last step, world frame [N, N m].
+  void setReaction(const btVector3& force, const btVector3& torque);
 
  private:
   struct Axes {
@@ -115,18 +121,16 @@ class Joint final : public btTypedConstraint {
     AxisRow motor;
     AxisRow limit;
 
-    void follow(double angle);
+    void unwrap(double angle);
   };
-  struct Row;
-  /// @return Zeros; Bullet's vectors are not initialized.
-  static btJointFeedback noFeedback() { return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; }
+  struct RowWriter;
   struct Gearbox {
     double ratio;
+    /// The reference body.
     btRigidBody& body;
+    bool moves;
     /// Rotated so that x is the first axis.
     btTransform X_BodyJoint;
-    /// Present if the body moves.
-    std::optional<GearReference> part;
   };
 
   double inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const;
@@ -137,13 +141,16 @@ class Joint final : public btTypedConstraint {
   void prepare(Axis& axis, const btVector3& along, double dt);
   void updateTurn();
   void updateGears();
-  void addGearRow(Row& row, double errorRate);
+  btMatrix3x3 gearboxBasis() const;
   void applyForce(const btVector3& force, const btVector3& point);
-  void addLinearRows(Row& row, const Frames& frames, double errorRate, const btVector3& bent) const;
-  void addAngularRows(Row& row, const Frames& frames, double errorRate) const;
-  void addCrossRow(Row& row, const Frames& frames, double errorRate) const;
-  void addAxisRows(Row& row, const Axis& axis, const btVector3& along, double fps, double erp) const;
+  void addGearRow(RowWriter& writer, double errorRate) const;
+  void addLinearRows(RowWriter& writer, const Frames& frames, double errorRate, const btVector3& chordVelocity) const;
+  void addAngularRows(RowWriter& writer, const Frames& frames, double errorRate) const;
+  void addCrossRow(RowWriter& writer, const Frames& frames, double errorRate) const;
+  void addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp) const;
 
+  btRigidBody& parent_;
+  btRigidBody& child_;
   world::Slot slot_ = world::kNoSlot;
   const description::JointType type_;
   const std::size_t axisCount_;
@@ -163,8 +170,11 @@ class Joint final : public btTypedConstraint {
   std::array<Axis, 2> axes_;
   std::unique_ptr<Gearbox> gearbox_;
 
-  /// The impulses of the solver's rows, once asked for.
-  btJointFeedback feedback_ = noFeedback();
+  /// Whether the reaction is read.
+  bool isMeasured_ = false;
+  /// What the rows exerted on the child's centre of mass.
+  btVector3 force_{0, 0, 0};
+  btVector3 torque_{0, 0, 0};
   /// The point where the rows act, relative to the child's centre of mass; world frame.
   btVector3 childArm_{0, 0, 0};
 };

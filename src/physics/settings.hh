@@ -6,31 +6,32 @@ namespace pongsim::physics {
 
 /// How joints and contacts are solved.
 enum class Solver {
-  /// Dantzig's direct method for small groups of bodies, iterations for large ones.
+  /// Directly for small islands and trees of links, by projected Gauss-Seidel for large ones.
   kDirect,
-  /// Projected Gauss-Seidel.
-  kSequentialImpulse,
+  /// Projected Gauss-Seidel for all.
+  kGaussSeidel,
 };
 
-/// Penetration is corrected at most at this times the step size [m/s^2], about the speed that gravity gives in a step,
+/// Penetration is corrected at no more than this times the step [m/s^2], about the speed that gravity gives in a step,
 /// which is the magnitude of the solver's own errors. Fortress's engine corrects all at 1 mm/s.
-inline constexpr double kFastestParting = 10;
+inline constexpr double kMaxPushAcceleration = 10;
 
 /// Settings of a step. The defaults are justified by the measurements in `docs/physics.md`.
 struct Settings {
-  /// Number of threads that solve groups of bodies; the result is the same.
+  /// Number of threads that solve islands; the result is the same.
   int threads = 1;
   Solver solver = Solver::kDirect;
-  /// Maximum number of iterations.
+  /// Maximum number of sweeps of Gauss-Seidel.
   int iterations = 50;
-  /// Groups with more rows of joints and contacts than this are not solved directly, except trees of links with no more
-  /// bounded rows than this.
+  /// Islands with more rows of joints and contacts than this are not solved directly, except trees of links with no
+  /// more bounded rows than this.
   int mostDirectRows = 150;
-  /// Softness of all rows [1/(N m s) and the like]; lets the direct method also solve a box on four corners.
-  double softness = 1e-8;
-  /// Fractions of an error corrected in a step, for joints and for contacts.
-  double jointErrorReduction = 0.9;
-  double contactErrorReduction = 0.2;
+  /// Compliance of all rows times the step (constraint force mixing) [s/kg, of rotations s/(kg m^2)]: makes the matrix
+  /// of an island with redundant rows, such as a box on four corners, positive definite.
+  double cfm = 1e-8;
+  /// Fractions of an error that are corrected in a step (error reduction parameters), for joints and for contacts.
+  double jointErp = 0.9;
+  double contactErp = 0.2;
   /// Contact points of two collisions if neither sets a number; negative: no limit. Bullet has at most four.
   long long maxContacts = 20;
   /// Folder in which pieces of meshes are cached for later runs; empty: none.

@@ -4,12 +4,13 @@
 #include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <span>
 #include <stdexcept>
 
 #include "benchmark/bare_shape.hh"
 #include "physics/convert.hh"
 #include "physics/settings.hh"
-#include "physics/solving/group_solver.hh"
+#include "physics/solving/island_solver.hh"
 
 namespace pongsim::benchmark {
 
@@ -18,6 +19,35 @@ using physics::toBullet;
 struct BareBullet::Motor {
   std::string name;
   btHingeConstraint* hinge;
+  physics::Joint* joint;
+};
+
+/// Lets Bullet's world call pongsim's solver. Each of its constraints has a pointer to the joint in its place.
+class BareBullet::OwnSolver final : public btConstraintSolver {
+ public:
+  btScalar solveGroup(btCollisionObject** bodies, int bodyCount, btPersistentManifold** manifolds, int manifoldCount,
+                      btTypedConstraint** constraints, int count, const btContactSolverInfo& info, btIDebugDraw*,
+                      btDispatcher*) override {
+    bodies_.clear();
+    joints_.clear();
+    for (btCollisionObject* object : std::span(bodies, static_cast<std::size_t>(bodyCount))) {
+      if (!object->isStaticObject()) bodies_.push_back(static_cast<btRigidBody*>(object));
+    }
+    for (btTypedConstraint* constraint : std::span(constraints, static_cast<std::size_t>(count))) {
+      joints_.push_back(static_cast<physics::Joint*>(constraint->getUserConstraintPtr()));
+      joints_.back()->prepare(info.m_timeStep);
+    }
+    solver_.solve(bodies_, std::span(manifolds, static_cast<std::size_t>(manifoldCount)), joints_, info.m_timeStep);
+    for (physics::Joint* joint : joints_) joint->update();
+    return 0;
+  }
+  void reset() override {}
+  btConstraintSolverType getSolverType() const override { return BT_SEQUENTIAL_IMPULSE_SOLVER; }
+
+ private:
+  physics::IslandSolver solver_{physics::Settings()};
+  std::vector<btRigidBody*> bodies_;
+  std::vector<physics::Joint*> joints_;
 };
 
 BareBullet::BareBullet(const description::World& world, BareSolver solver) {
@@ -26,9 +56,8 @@ BareBullet::BareBullet(const description::World& world, BareSolver solver) {
   configuration_ = std::move(configuration);
   dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
   broadphase_ = std::make_unique<btDbvtBroadphase>();
-  const physics::Settings settings;
   if (solver == BareSolver::kPongsim) {
-    solver_ = std::make_unique<physics::GroupSolver>(settings.mostDirectRows);
+    solver_ = std::make_unique<OwnSolver>();
   } else {
     solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
   }
@@ -36,14 +65,7 @@ BareBullet::BareBullet(const description::World& world, BareSolver solver) {
                                                      configuration_.get());
   world_->setGravity(toBullet(world.gravity));
   world_->setForceUpdateAllAabbs(false);
-  if (solver == BareSolver::kPongsim) {
-    btContactSolverInfo& info = world_->getSolverInfo();
-    info.m_numIterations = settings.iterations;
-    info.m_globalCfm = settings.softness;
-    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-    info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
-    info.m_minimumSolverBatchSize = 1;
-  }
+  if (solver == BareSolver::kPongsim) world_->getSolverInfo().m_minimumSolverBatchSize = 1;
   for (const description::Model& model : world.models) addModel(model);
 }
 
@@ -101,17 +123,24 @@ void BareBullet::addJoint(const description::Joint& joint) {
     auto hinge = std::make_unique<btHingeConstraint>(child, parent, inChild, inParent,
                                                      toBullet(joint.X_ChildJoint.rotation * axis),
                                                      toBullet(joint.X_ParentJoint.rotation * axis));
-    motors_.push_back({joint.name, hinge.get()});
+    motors_.push_back({joint.name, hinge.get(), nullptr});
     joints_.push_back(std::move(hinge));
   } else {
     throw std::invalid_argument("no such joint here");
   }
+  ownJoints_.push_back(std::make_unique<physics::Joint>(
+      joint, physics::JointEnd{&parent, toBullet(joint.X_ParentJoint), !parent.isStaticObject()},
+      physics::JointEnd{&child, toBullet(joint.X_ChildJoint), !child.isStaticObject()}));
+  joints_.back()->setUserConstraintPtr(ownJoints_.back().get());
+  if (!motors_.empty() && motors_.back().hinge == joints_.back().get()) motors_.back().joint = ownJoints_.back().get();
   world_->addConstraint(joints_.back().get(), true);
 }
 
 void BareBullet::setVelocity(std::string_view joint, double velocity) {
   for (const Motor& motor : motors_) {
-    if (motor.name == joint) motor.hinge->enableAngularMotor(true, velocity, 1e10);
+    if (motor.name != joint) continue;
+    motor.hinge->enableAngularMotor(true, velocity, 1e10);
+    motor.joint->setVelocityTarget(velocity, 0);
   }
 }
 

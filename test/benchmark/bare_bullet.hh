@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description/world.hh"
+#include "physics/joint.hh"
 
 namespace pongsim::benchmark {
 
@@ -16,7 +17,7 @@ namespace pongsim::benchmark {
 enum class BareSolver { kPongsim, kBullet };
 
 /// A minimal Bullet world for robots on wheels, as a reference for the cost of our own step. It has nothing of pongsim,
-/// or only the solver and its settings, and does not read the results of a step. Supports boxes, spheres, cylinders,
+/// or only the solver with its joints and settings, and does not read the results of a step. Supports boxes, spheres, cylinders,
 /// planes, revolute and ball joints.
 class BareBullet {
  public:
@@ -36,6 +37,7 @@ class BareBullet {
   void addJoint(const description::Joint& joint);
 
   struct Motor;
+  class OwnSolver;
   std::unique_ptr<class btCollisionConfiguration> configuration_;
   std::unique_ptr<class btCollisionDispatcher> dispatcher_;
   std::unique_ptr<class btBroadphaseInterface> broadphase_;
@@ -43,7 +45,9 @@ class BareBullet {
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  /// With pongsim's solver they only tell Bullet which bodies are connected.
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+  std::vector<std::unique_ptr<physics::Joint>> ownJoints_;
   std::vector<Motor> motors_;
   /// Bodies of the model that was added last.
   std::unordered_map<std::string, btRigidBody*> bodyOfLink_;

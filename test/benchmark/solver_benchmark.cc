@@ -81,7 +81,7 @@ std::vector<Method> methods() {
   };
   std::vector<Method> all;
   for (const int count : {10, 20, 50, 200}) {
-    all.push_back(engineWith("Gauss-Seidel, " + std::to_string(count), with(Solver::kSequentialImpulse, count)));
+    all.push_back(engineWith("Gauss-Seidel, " + std::to_string(count), with(Solver::kGaussSeidel, count)));
   }
   for (const int count : {10, 50, 200}) all.push_back(multiBodyWith(count));
   all.push_back(engineWith("direct", {}));

@@ -8,8 +8,8 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Margin added to each box on all sides [m].
-constexpr double kRoom = 0.05;
+/// Margin of a fat box on all sides [m].
+constexpr double kFatMargin = 0.05;
 
 /// Adds a pair for each body whose box overlaps the box of a given body.
 class PairFinder final : public btDbvt::ICollide {
@@ -19,7 +19,7 @@ class PairFinder final : public btDbvt::ICollide {
   void Process(const btDbvtNode* node) override {
     auto* other = static_cast<btDbvtProxy*>(node->data);
     if (other == &proxy_) return;
-    // the smaller number comes first, whichever has moved
+    // the smaller number first, whichever has moved
     const bool isFirst = proxy_.m_uniqueId < other->m_uniqueId;
     pairs_.addOverlappingPair(isFirst ? &proxy_ : other, isFirst ? other : &proxy_);
   }
@@ -31,22 +31,24 @@ class PairFinder final : public btDbvt::ICollide {
 
 }  // namespace
 
-// the trees' numbers are those of Bullet's stages, of which only the first and the last are used
+// Bullet numbers its trees by stages, of which only the first and the last are used here
 btDbvt& BroadPhase::treeOf(const btDbvtProxy& proxy) {
   return m_sets[proxy.stage == STAGECOUNT ? FIXED_SET : DYNAMIC_SET];
 }
 
-btBroadphaseProxy* BroadPhase::createProxy(const btVector3& lowest, const btVector3& highest, int /*shape*/,
-                                           void* object, int group, int mask, btDispatcher* /*dispatcher*/) {
+btBroadphaseProxy& BroadPhase::add(const btVector3& lowest, const btVector3& highest, btCollisionObject* object,
+                                   bool forcesMove, int number) {
   void* const place = btAlignedAlloc(sizeof(btDbvtProxy), alignof(btDbvtProxy));
+  const int group = forcesMove ? btBroadphaseProxy::DefaultFilter : btBroadphaseProxy::StaticFilter;
+  const int mask = forcesMove ? btBroadphaseProxy::AllFilter : btBroadphaseProxy::AllFilter ^ group;
   auto* proxy = new (place) btDbvtProxy(lowest, highest, object, group, mask);
-  proxy->m_uniqueId = ++m_gid;
-  proxy->stage = (group & btBroadphaseProxy::StaticFilter) != 0 ? STAGECOUNT : 0;
+  proxy->m_uniqueId = number;
+  proxy->stage = forcesMove ? 0 : STAGECOUNT;
   btDbvt& tree = treeOf(*proxy);
   proxy->leaf = tree.insert(btDbvtVolume::FromMM(lowest, highest), proxy);
   balance_.keepShallow(tree, *proxy->leaf);
   findPairs(*proxy);
-  return proxy;
+  return *proxy;
 }
 
 void BroadPhase::destroyProxy(btBroadphaseProxy* absolute, btDispatcher* /*dispatcher*/) {
@@ -63,19 +65,17 @@ void BroadPhase::setAabb(btBroadphaseProxy* absolute, const btVector3& lowest, c
   put(proxy, btDbvtVolume::FromMM(lowest, highest));
 }
 
-void BroadPhase::calculateOverlappingPairs(btDispatcher* /*dispatcher*/) { m_sets[DYNAMIC_SET].optimizeIncremental(1); }
-
-bool BroadPhase::stay(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest) {
+bool BroadPhase::updateAabb(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest) {
   proxy.m_aabbMin = lowest;
   proxy.m_aabbMax = highest;
   return static_cast<btDbvtProxy&>(proxy).leaf->volume.Contain(btDbvtVolume::FromMM(lowest, highest));
 }
 
-void BroadPhase::leave(btBroadphaseProxy& absolute, const btVector3& way) {
+void BroadPhase::fattenAabb(btBroadphaseProxy& absolute, const btVector3& motion) {
   auto& proxy = static_cast<btDbvtProxy&>(absolute);
   btDbvtVolume volume = btDbvtVolume::FromMM(proxy.m_aabbMin, proxy.m_aabbMax);
-  volume.Expand(btVector3(kRoom, kRoom, kRoom));
-  volume.SignedExpand(way);
+  volume.Expand(btVector3(kFatMargin, kFatMargin, kFatMargin));
+  volume.SignedExpand(motion);
   put(proxy, volume);
 }
 
@@ -94,7 +94,7 @@ void BroadPhase::findPairs(btBroadphaseProxy& absolute) {
   haveNewPairs_ = haveNewPairs_ || m_paircache->getNumOverlappingPairs() != before;
 }
 
-bool BroadPhase::areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+bool BroadPhase::fatAabbsOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return Intersect(static_cast<const btDbvtProxy&>(a).leaf->volume, static_cast<const btDbvtProxy&>(b).leaf->volume);
 }
 

@@ -1,23 +1,26 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
 #include <utility>
 
-#include "base/prefetch.hh"
 #include "physics/contacts/tree_balance.hh"
 
 namespace pongsim::physics {
 
 /// Finds which bodies are near each other, with Bullet's trees of bounding boxes: one tree for bodies moved by forces,
-/// one for the rest. Boxes in the trees have a margin, so most steps leave the trees unchanged and most bodies only
-/// need a check, which several threads can do at once.
+/// one for the rest. The boxes in the trees are fat: they have a margin, so most steps leave the trees unchanged and
+/// most bodies only need a check, which several threads can do at once.
 ///
-/// A pair exists while the two boxes in the trees overlap. The caller that goes through the pairs removes the others.
+/// A pair exists while two fat boxes overlap. The caller that goes through the pairs removes the others.
 class BroadPhase final : public btDbvtBroadphase {
  public:
-  btBroadphaseProxy* createProxy(const btVector3& lowest, const btVector3& highest, int shape, void* object, int group,
-                                 int mask, btDispatcher* dispatcher) override;
+  /// Adds an object, and finds its pairs.
+  /// @param forcesMove Which of the trees it goes to.
+  /// @param number Unique; in a pair, the object with the smaller number comes first.
+  btBroadphaseProxy& add(const btVector3& lowest, const btVector3& highest, btCollisionObject* object, bool forcesMove,
+                         int number);
   /// For a body whose pairs have been removed.
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
   /// Removes all pairs of the bodies for which `goes(proxy)` is true, with their contacts, in one pass.
@@ -33,32 +36,26 @@ class BroadPhase final : public btDbvtBroadphase {
   /// For a body that jumps to another place.
   void setAabb(btBroadphaseProxy* proxy, const btVector3& lowest, const btVector3& highest,
                btDispatcher* dispatcher) override;
-  /// Does nothing: pairs are found when a box leaves its box in the tree.
-  void calculateOverlappingPairs(btDispatcher* dispatcher) override;
+  /// Improves the tree of moving bodies a little. (Pairs are found when a body leaves its fat box.)
+  void optimize() { m_sets[DYNAMIC_SET].optimizeIncremental(1); }
 
   /// Sets the bounding box of a body's motion in this step. Can be called for several bodies at once.
-  /// @return Whether the body's box in the tree contains it; if not, call `leave`.
-  static bool stay(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest);
-  /// Gives the body a new box in the tree, with a margin in the direction of motion.
-  /// @param way Expected displacement over the next few steps [m].
-  void leave(btBroadphaseProxy& proxy, const btVector3& way);
+  /// @return Whether the body's fat box contains it; if not, call `fattenAabb`.
+  static bool updateAabb(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest);
+  /// Gives the body a new fat box, with a margin on all sides and further in the direction of motion.
+  /// @param motion Expected displacement over the next few steps [m].
+  void fattenAabb(btBroadphaseProxy& proxy, const btVector3& motion);
   /// Finds the pairs of a body again, including those that the filter rejected before.
   void findPairs(btBroadphaseProxy& proxy);
   /// @return Whether pairs have come since this was asked last.
   bool takeNewPairs() { return std::exchange(haveNewPairs_, false); }
 
-  /// Prefetches a body's proxy and, once that has arrived, its box in the tree.
-  static void prefetch(const btBroadphaseProxy& proxy) { base::prefetch(static_cast<const btDbvtProxy&>(proxy)); }
-  static void prefetchLeaf(const btBroadphaseProxy& proxy) {
-    base::prefetch(static_cast<const btDbvtProxy&>(proxy).leaf->volume);
-  }
-
   /// @return Whether the current bounding boxes overlap.
-  static bool meet(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  static bool aabbsOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
     return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
   }
-  /// @return Whether their boxes in the trees overlap.
-  static bool areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
+  /// @return Whether their fat boxes overlap.
+  static bool fatAabbsOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
  private:
   btDbvt& treeOf(const btDbvtProxy& proxy);

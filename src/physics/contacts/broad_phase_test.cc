@@ -13,10 +13,8 @@ namespace {
 struct Row {
   BroadPhase broadPhase;
   btBroadphaseProxy& add(double x, bool forcesMove = true) {
-    const int group = forcesMove ? btBroadphaseProxy::DefaultFilter : btBroadphaseProxy::StaticFilter;
-    const int mask =
-        forcesMove ? btBroadphaseProxy::AllFilter : btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter;
-    proxies.push_back(broadPhase.createProxy(low(x), high(x), 0, nullptr, group, mask, nullptr));
+    const int number = static_cast<int>(proxies.size()) + 1;
+    proxies.push_back(&broadPhase.add(low(x), high(x), nullptr, forcesMove, number));
     return *proxies.back();
   }
   ~Row() {
@@ -46,32 +44,32 @@ TEST(BroadPhase, FindsWhatIsNearWhenItLeavesItsBox) {
   btBroadphaseProxy& wall = row.add(0, false);
   btBroadphaseProxy& body = row.add(3);
   // the first box is as large as the body
-  EXPECT_FALSE(BroadPhase::stay(body, Row::low(2.9), Row::high(2.9)));
-  row.broadPhase.leave(body, {-1.5, 0, 0});
+  EXPECT_FALSE(BroadPhase::updateAabb(body, Row::low(2.9), Row::high(2.9)));
+  row.broadPhase.fattenAabb(body, {-1.5, 0, 0});
   EXPECT_FALSE(row.isPair(wall, body));
   // there is room where it goes, and some behind
-  EXPECT_TRUE(BroadPhase::stay(body, Row::low(1.5), Row::high(1.5)));
-  EXPECT_TRUE(BroadPhase::stay(body, Row::low(2.94), Row::high(2.94)));
-  EXPECT_FALSE(BroadPhase::stay(body, Row::low(3), Row::high(3)));
-  EXPECT_FALSE(BroadPhase::stay(body, Row::low(1.1), Row::high(1.1)));
-  row.broadPhase.leave(body, {0, 0, 0});
+  EXPECT_TRUE(BroadPhase::updateAabb(body, Row::low(1.5), Row::high(1.5)));
+  EXPECT_TRUE(BroadPhase::updateAabb(body, Row::low(2.94), Row::high(2.94)));
+  EXPECT_FALSE(BroadPhase::updateAabb(body, Row::low(3), Row::high(3)));
+  EXPECT_FALSE(BroadPhase::updateAabb(body, Row::low(1.1), Row::high(1.1)));
+  row.broadPhase.fattenAabb(body, {0, 0, 0});
   EXPECT_FALSE(row.isPair(wall, body));
-  EXPECT_FALSE(BroadPhase::stay(body, Row::low(1.01), Row::high(1.01)));
-  row.broadPhase.leave(body, {0, 0, 0});
+  EXPECT_FALSE(BroadPhase::updateAabb(body, Row::low(1.01), Row::high(1.01)));
+  row.broadPhase.fattenAabb(body, {0, 0, 0});
   EXPECT_TRUE(row.isPair(wall, body));
   // near, but with a centimetre between
-  EXPECT_TRUE(BroadPhase::areNear(wall, body));
-  EXPECT_FALSE(BroadPhase::meet(wall, body));
+  EXPECT_TRUE(BroadPhase::fatAabbsOverlap(wall, body));
+  EXPECT_FALSE(BroadPhase::aabbsOverlap(wall, body));
 }
 
 TEST(BroadPhase, TellsOfThoseThatHaveParted) {
   Row row;
   btBroadphaseProxy& a = row.add(0);
   btBroadphaseProxy& b = row.add(0.5);
-  EXPECT_TRUE(BroadPhase::meet(a, b));
+  EXPECT_TRUE(BroadPhase::aabbsOverlap(a, b));
   row.broadPhase.setAabb(&b, Row::low(5), Row::high(5), nullptr);
-  EXPECT_FALSE(BroadPhase::meet(a, b));
-  EXPECT_FALSE(BroadPhase::areNear(a, b));
+  EXPECT_FALSE(BroadPhase::aabbsOverlap(a, b));
+  EXPECT_FALSE(BroadPhase::fatAabbsOverlap(a, b));
 }
 
 TEST(BroadPhase, SaysOnceThatPairsHaveCome) {

@@ -1,18 +1,21 @@
 #include "physics/contacts/contact_point.hh"
 
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <cassert>
+#include <cmath>
 #include <optional>
 
-#include "physics/solving/bounce.hh"
-#include "physics/solving/friction.hh"
+#include "physics/contacts/bounce.hh"
+#include "physics/contacts/friction.hh"
 
 namespace pongsim::physics {
 
 PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& manifold) {
   PointFriction found;
-  point.m_contactPointFlags &=
-      ~(BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED);
+  point.m_contactPointFlags &= ~BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
   if (const std::optional<PointSurface> surface = pointSurface(manifold, point)) {
     point.m_combinedRestitution = restitutionAt(manifold, point, *surface);
     if (surface->isSoft) {
@@ -35,6 +38,35 @@ PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& ma
     found.slip2 = friction->slip2;
   }
   return found;
+}
+
+SolverContact::SolverContact(btManifoldPoint& pointOfManifold, const btPersistentManifold& manifold)
+    : point(pointOfManifold),
+      a(*btRigidBody::upcast(manifold.getBody0())),
+      b(*btRigidBody::upcast(manifold.getBody1())),
+      armA(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin()),
+      armB(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin()),
+      friction(settlePoint(point, manifold)) {
+  assert(std::abs(point.m_normalWorldOnB.length2() - 1) < 1e-6);
+  if (friction.isDirected) return;
+  point.m_contactMotion1 = point.m_contactMotion2 = 0;
+  friction.mu2 = point.m_combinedFriction;
+}
+
+void SolverContact::chooseDirections(const btVector3& velocity) const {
+  const btVector3& normal = point.m_normalWorldOnB;
+  const btVector3 sliding = velocity - normal * normal.dot(velocity);
+  const double speed2 = sliding.length2();
+  if (speed2 > SIMD_EPSILON) {
+    point.m_lateralFrictionDir1 = sliding * (1 / std::sqrt(speed2));
+    point.m_lateralFrictionDir2 = point.m_lateralFrictionDir1.cross(normal).normalize();
+  } else {
+    btPlaneSpace1(normal, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
+  }
+}
+
+bool SolverContact::isSoft() const {
+  return (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
 }
 
 }  // namespace pongsim::physics

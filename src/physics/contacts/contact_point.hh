@@ -1,7 +1,10 @@
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
 class btManifoldPoint;
 class btPersistentManifold;
+class btRigidBody;
 
 namespace pongsim::physics {
 
@@ -21,8 +24,27 @@ struct PointFriction {
 };
 
 /// Writes the surfaces' properties into a contact point: restitution, stiffness and damping with their flag, and for
-/// directed friction the coefficient, directions and velocities. Clears the flag that says that the directions are set;
-/// the caller that hands the point to Bullet sets it.
+/// directed friction the coefficient, directions and velocities.
 PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& manifold);
+
+/// A contact point as the solvers need it.
+struct SolverContact {
+  /// Settles the point.
+  SolverContact(btManifoldPoint& point, const btPersistentManifold& manifold);
+
+  /// Sets both friction directions of a point without directed friction: along the sliding, if there is any.
+  /// @param velocity Of the first body relative to the second, at the point.
+  void chooseDirections(const btVector3& velocity) const;
+  /// @return Whether the contact is a spring and damper.
+  bool isSoft() const;
+
+  btManifoldPoint& point;
+  const btRigidBody& a;
+  const btRigidBody& b;
+  /// From the bodies' centres of mass to the point.
+  btVector3 armA;
+  btVector3 armB;
+  PointFriction friction;
+};
 
 }  // namespace pongsim::physics

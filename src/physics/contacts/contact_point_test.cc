@@ -43,7 +43,7 @@ class ContactPoint : public testing::Test {
 };
 
 TEST_F(ContactPoint, IsOrdinaryWhereTheSurfacesSayNothing) {
-  point_.m_contactPointFlags = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+  point_.m_contactPointFlags = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
   const PointFriction found = settle();
   EXPECT_FALSE(found.isDirected);
   EXPECT_EQ(found.torsion, 0);
@@ -63,7 +63,7 @@ TEST_F(ContactPoint, TakesDirectionsSlipsAndTheSmallerCoefficients) {
   EXPECT_EQ(found.slip2, 0.01);
   EXPECT_EQ(point_.m_lateralFrictionDir1.y(), 1);
   EXPECT_EQ(point_.m_lateralFrictionDir2.x(), -1);
-  EXPECT_FALSE(has(BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED)) << "that is for who hands it to Bullet";
+  EXPECT_FALSE(has(BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED));
 }
 
 TEST_F(ContactPoint, TakesSpringsAndTorsion) {

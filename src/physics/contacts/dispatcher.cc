@@ -8,17 +8,17 @@
 #include <LinearMath/btPoolAllocator.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 #include <vector>
 
-#include "base/prefetch.hh"
 #include "description/link.hh"
 #include "physics/contacts/broad_phase.hh"
+#include "physics/contacts/contact_limits.hh"
 #include "physics/contacts/surface.hh"
-#include "physics/solving/contact_limits.hh"
 
 namespace pongsim::physics {
 
@@ -29,17 +29,14 @@ int numberOf(const btCollisionObjectWrapper* wrapper) {
   return part == nullptr ? -1 : partNumber(part->getUserIndex(), part->getUserIndex2());
 }
 
-/// The pair that an algorithm was last created for on this thread. An algorithm creates its manifold in its
-/// constructor, or as the first thing it does afterwards.
+/// The pair that an algorithm was last created for on this thread. Bullet tells `getNewManifold` only the two bodies,
+/// but calls it in the algorithm's constructor, or as the first thing that the algorithm does afterwards.
 struct LastPair {
   const btCollisionObject* a = nullptr;
   int partA = -1;
   int partB = -1;
 };
 thread_local LastPair lastPair;
-
-/// The part of a collision object that contact detection reads ends here [bytes]: pose, shape and indices.
-constexpr std::size_t kSeenPart = 544;
 
 /// How many pairs a worker takes at a time; fetching them one by one costs too much.
 constexpr std::size_t kPairsAtATime = 16;
@@ -196,13 +193,13 @@ void Dispatcher::releaseManifold(btPersistentManifold* manifold) {
   arena_.free(manifold, sizeof(btPersistentManifold));
 }
 
-// who frees one does not say how large it is
+// all have the size of the largest, because `freeCollisionAlgorithm` is not told the size
 std::size_t Dispatcher::algorithmSize() const {
   return static_cast<std::size_t>(m_collisionAlgorithmPoolAllocator->getElementSize());
 }
 
 void* Dispatcher::allocateCollisionAlgorithm(int size) {
-  btAssert(static_cast<std::size_t>(size) <= algorithmSize());
+  assert(static_cast<std::size_t>(size) <= algorithmSize());
   static_cast<void>(size);
   const std::lock_guard lock(arenaMutex_);
   return arena_.allocate(algorithmSize());
@@ -213,59 +210,34 @@ void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
   arena_.free(algorithm, algorithmSize());
 }
 
-std::pair<int, int> Dispatcher::numbersOf(const btBroadphasePair& pair) {
+Islands::Ends Dispatcher::numbersOf(const btBroadphasePair& pair) {
   return {objectOf(*pair.m_pProxy0).getIslandTag(), objectOf(*pair.m_pProxy1).getIslandTag()};
-}
-
-void Dispatcher::prefetchProxies(const btBroadphasePair& pair) {
-  BroadPhase::prefetch(*pair.m_pProxy0);
-  BroadPhase::prefetch(*pair.m_pProxy1);
-}
-
-void Dispatcher::prefetchObjects(const btBroadphasePair& pair) {
-  base::prefetch(objectOf(*pair.m_pProxy0), kSeenPart);
-  base::prefetch(objectOf(*pair.m_pProxy1), kSeenPart);
-  if (pair.m_algorithm != nullptr) base::prefetch(*pair.m_algorithm);
-}
-
-void Dispatcher::prefetchManifolds(const btBroadphasePair& pair, std::size_t worker) {
-  for (const btBroadphaseProxy* proxy : {pair.m_pProxy0, pair.m_pProxy1}) {
-    const int number = objectOf(*proxy).getIslandTag();
-    if (number != kNoMember) rest_.prefetch(static_cast<std::size_t>(number));
-  }
-  btManifoldArray& manifolds = looks_[worker].manifolds;
-  listManifolds(pair, manifolds);
-  for (int i = 0; i < manifolds.size(); ++i) {
-    // most have one point; what says how many stands behind all of them
-    base::prefetch(manifolds[i]->getContactPoint(0));
-    base::prefetch(manifolds[i]->m_companionIdA);
-  }
 }
 
 void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, std::size_t worker,
                              std::vector<Touch>& touches) {
-  Look& memory = looks_[worker];
-  findUnknownTouches(pair, info, memory);
+  Scratch& scratch = scratches_[worker];
+  findUnknownTouches(pair, info, scratch);
   if (pair.m_algorithm == nullptr) return;
-  listManifolds(pair, memory.manifolds);
-  collectTouches(memory.manifolds, touches);
+  listManifolds(pair, scratch.manifolds);
+  collectTouches(scratch.manifolds, touches);
 }
 
-void Dispatcher::findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory) {
+void Dispatcher::findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Scratch& scratch) {
   bool isStill = pair.m_algorithm != nullptr && rest_.isStill(objectOf(*pair.m_pProxy0)) &&
                  rest_.isStill(objectOf(*pair.m_pProxy1));
-  if (pair.m_algorithm != nullptr && forgetRolled(pair, info.m_timeStep, memory.manifolds)) isStill = false;
+  if (pair.m_algorithm != nullptr && forgetRolled(pair, info.m_timeStep, scratch.manifolds)) isStill = false;
   if (isStill && pair.m_internalTmpValue == kSettledPair) return;
-  if (BroadPhase::meet(*pair.m_pProxy0, *pair.m_pProxy1)) {
-    look(pair, info, isStill, memory);
+  if (BroadPhase::aabbsOverlap(*pair.m_pProxy0, *pair.m_pProxy1)) {
+    collide(pair, info, isStill, scratch);
   } else {
-    part(pair, memory);
+    separate(pair, scratch);
   }
 }
 
-void Dispatcher::look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory) {
-  btManifoldArray& manifolds = memory.manifolds;
-  std::vector<btManifoldPoint>& before = memory.before;
+void Dispatcher::collide(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Scratch& scratch) {
+  btManifoldArray& manifolds = scratch.manifolds;
+  std::vector<btManifoldPoint>& before = scratch.before;
   before.clear();
   if (isStill) copyPoints(pair, manifolds, before);
   const bool hadPoints = havePoints(pair, manifolds);
@@ -277,14 +249,14 @@ void Dispatcher::look(btBroadphasePair& pair, const btDispatcherInfo& info, bool
   rest_.disturb(objectOf(*pair.m_pProxy1));
 }
 
-void Dispatcher::part(btBroadphasePair& pair, Look& memory) {
-  if (havePoints(pair, memory.manifolds)) {
-    for (int i = 0; i < memory.manifolds.size(); ++i) memory.manifolds[i]->clearManifold();
+void Dispatcher::separate(btBroadphasePair& pair, Scratch& scratch) {
+  if (havePoints(pair, scratch.manifolds)) {
+    for (int i = 0; i < scratch.manifolds.size(); ++i) scratch.manifolds[i]->clearManifold();
     rest_.disturb(objectOf(*pair.m_pProxy0));
     rest_.disturb(objectOf(*pair.m_pProxy1));
   }
   pair.m_internalTmpValue = 0;
-  if (BroadPhase::areNear(*pair.m_pProxy0, *pair.m_pProxy1)) return;
+  if (BroadPhase::fatAabbsOverlap(*pair.m_pProxy0, *pair.m_pProxy1)) return;
   pair.m_internalTmpValue = kPartedPair;
   haveParted_.store(true, std::memory_order_relaxed);
 }
@@ -314,10 +286,10 @@ void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const 
   btBroadphasePair* const first = pairs->getOverlappingPairArrayPtr();
   workers_.forEach((count + kPairsAtATime - 1) / kPairsAtATime, [&](std::size_t chunk, int worker) {
     const auto number = static_cast<std::size_t>(worker);
-    looks_[number].touches.clear();
+    scratches_[number].touches.clear();
     const std::size_t end = std::min(count, (chunk + 1) * kPairsAtATime);
     for (std::size_t i = chunk * kPairsAtATime; i < end; ++i) {
-      findTouches(first[i], info, number, looks_[number].touches);
+      findTouches(first[i], info, number, scratches_[number].touches);
     }
   });
   removeParted(*pairs);

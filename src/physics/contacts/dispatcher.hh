@@ -7,13 +7,13 @@
 #include <atomic>
 #include <cstddef>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "base/arena.hh"
 #include "shared/threads/workers.hh"
 #include "physics/contacts/touch.hh"
-#include "physics/solving/rest.hh"
+#include "physics/islands/islands.hh"
+#include "physics/islands/rest.hh"
 
 namespace pongsim::physics {
 
@@ -42,7 +42,7 @@ class Dispatcher final : public btCollisionDispatcher {
         workers_(workers),
         rest_(rest),
         mostContacts_(mostContacts),
-        looks_(static_cast<std::size_t>(workers.count())) {}
+        scratches_(static_cast<std::size_t>(workers.count())) {}
 
   /// Finds where a pair touches, unless that is known already. May be called for several pairs at once.
   /// @param worker Number of the calling worker.
@@ -52,14 +52,8 @@ class Dispatcher final : public btCollisionDispatcher {
   /// Forgets pairs that are no longer near each other; to be called after their touches have been found.
   void removeParted(btOverlappingPairCache& pairs);
 
-  /// @return Numbers of the two bodies; `kNoMember` for a body that forces do not move.
-  static std::pair<int, int> numbersOf(const btBroadphasePair& pair);
-
-  /// These prefetch what `findTouches` needs, each following the pointers that the previous one fetched. No other
-  /// thread may work on the pair when its algorithm and manifolds are prefetched.
-  static void prefetchProxies(const btBroadphasePair& pair);
-  static void prefetchObjects(const btBroadphasePair& pair);
-  void prefetchManifolds(const btBroadphasePair& pair, std::size_t worker);
+  /// @return Numbers of the two bodies.
+  static Islands::Ends numbersOf(const btBroadphasePair& pair);
 
   btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                       btPersistentManifold* shared, ebtDispatcherQueryType type) override;
@@ -79,15 +73,15 @@ class Dispatcher final : public btCollisionDispatcher {
 
   /// Working memory of contact detection, kept for the next pair. Not `thread_local`: accessing that from a library
   /// took 7 % of a step of falling shapes.
-  struct alignas(64) Look {
+  struct alignas(64) Scratch {
     btManifoldArray manifolds;
     std::vector<btManifoldPoint> before;
     std::vector<Touch> touches;
   };
 
-  void findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory);
-  void look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory);
-  void part(btBroadphasePair& pair, Look& memory);
+  void findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Scratch& scratch);
+  void collide(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Scratch& scratch);
+  void separate(btBroadphasePair& pair, Scratch& scratch);
   void collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const;
 
   base::Arena& arena_;
@@ -95,7 +89,7 @@ class Dispatcher final : public btCollisionDispatcher {
   Rest& rest_;
   const long long mostContacts_;
   /// One for each worker.
-  std::vector<Look> looks_;
+  std::vector<Scratch> scratches_;
   /// Whether there are pairs that are no longer near each other.
   std::atomic<bool> haveParted_ = false;
   /// Guards the arena and Bullet's list of manifolds.

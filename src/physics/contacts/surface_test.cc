@@ -173,7 +173,7 @@ TEST(Surface, ResistsTurningAboutTheNormalByTheSizeOfThePatch) {
   ball.torsion = {0.5, 0.02, 0, true, 0};
   // the larger patch and the smaller coefficient count
   floor.torsion = {0.8, 0.01, 0, true, 0};
-  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+  for (const Solver solver : {Solver::kDirect, Solver::kGaussSeidel}) {
     Rig rig = ballOnFloor(ball, floor, solver);
     rig.step(200);
     rig.engine.setLinkVelocity(1, {0, 0, 0}, {0, 0, 20});
@@ -222,7 +222,7 @@ TEST(Surface, GivesWayAsItsStiffnessSays) {
   description::Surface ball, floor;
   ball.stiffness = 2e4;
   ball.damping = 50;
-  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+  for (const Solver solver : {Solver::kDirect, Solver::kGaussSeidel}) {
     Rig one = ballOnFloor(ball, floor, solver);
     one.step(2000);
     const double depth = 2 * kSurfaceGravity / 2e4;

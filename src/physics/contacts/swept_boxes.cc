@@ -4,19 +4,20 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace pongsim::physics {
 
 namespace {
 
-/// How many a worker takes at a time: one is too little to be worth the asking.
+/// Bodies that a worker takes at a time: fetching them one by one costs too much.
 constexpr std::size_t kBodiesAtATime = 16;
 
-/// For how long a body that has left its box gets room in its new one [s], but for no more than its own size.
+/// A new fat box has room for the motion of this time [s], but no more than the body's own size.
 constexpr double kAhead = 0.1;
 
-// Where it will be after `dt`, for its box only: turned to first order, which makes it larger by half the square of the
+// The pose after `dt`, for the box only: R + [dt w] R, to first order, which is too large by half the square of the
 // angle.
 btTransform roughlyMoved(const btRigidBody& body, double dt) {
   const btTransform& now = body.getWorldTransform();
@@ -32,7 +33,7 @@ struct Aabb {
   btVector3 highest;
 };
 
-/// @return What holds the body where it is now and where it is going.
+/// @return The box that holds the body where it is now and where it will be.
 Aabb aabbOf(const btRigidBody& body, const btTransform& then) {
   Aabb now, later;
   body.getCollisionShape()->getAabb(body.getWorldTransform(), now.lowest, now.highest);
@@ -43,37 +44,43 @@ Aabb aabbOf(const btRigidBody& body, const btTransform& then) {
   return {now.lowest - margin, now.highest + margin};
 }
 
-btVector3 wayAhead(const btRigidBody& body) {
+/// @return Whether the broad phase can take the box: it has numbers, and is not larger than 1000 km.
+bool isReasonable(const Aabb& aabb) {
+  constexpr double kLargest = 1e6;
+  return (aabb.highest - aabb.lowest).length2() < kLargest * kLargest;
+}
+
+/// @return The expected displacement within `kAhead`.
+btVector3 motionAhead(const btRigidBody& body) {
   const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
   const btVector3 most = proxy.m_aabbMax - proxy.m_aabbMin;
-  btVector3 way = body.getLinearVelocity() * kAhead;
-  way.setMax(-most);
-  way.setMin(most);
-  return way;
+  btVector3 motion = body.getLinearVelocity() * kAhead;
+  motion.setMax(-most);
+  motion.setMin(most);
+  return motion;
 }
 
 }  // namespace
 
 void SweptBoxes::resize(std::size_t kept, std::size_t bodies) {
-  stays_.resize(std::min(kept, stays_.size()));
-  stays_.resize(bodies, Stay::kUnknown);
+  within_.resize(std::min(kept, within_.size()));
+  within_.resize(bodies, Within::kUnknown);
   isOneUnknown_ = true;
 }
 
-SweptBoxes::Stay SweptBoxes::stayOf(btRigidBody& body, const btTransform& then) {
-  // Bullet has its own way with what is as large as that, or not a number
-  constexpr double kSanest = 1e12;
+SweptBoxes::Within SweptBoxes::withinFatBox(btRigidBody& body, const btTransform& then) {
   const Aabb aabb = aabbOf(body, then);
-  if (!((aabb.highest - aabb.lowest).length2() < kSanest)) return Stay::kAbsurd;
-  return BroadPhase::stay(*body.getBroadphaseProxy(), aabb.lowest, aabb.highest) ? Stay::kYes : Stay::kNo;
+  if (!isReasonable(aabb)) return Within::kTooFast;
+  const bool isWithin = BroadPhase::updateAabb(*body.getBroadphaseProxy(), aabb.lowest, aabb.highest);
+  return isWithin ? Within::kYes : Within::kNo;
 }
 
 void SweptBoxes::sweep(btRigidBody& body, std::size_t number, double dt) {
-  stays_[number] = stayOf(body, roughlyMoved(body, dt));
+  within_[number] = withinFatBox(body, roughlyMoved(body, dt));
 }
 
 void SweptBoxes::forget(std::size_t number) {
-  stays_[number] = Stay::kUnknown;
+  within_[number] = Within::kUnknown;
   isOneUnknown_ = true;
 }
 
@@ -85,28 +92,34 @@ void SweptBoxes::forEach(std::span<btRigidBody* const> bodies, Work&& work) {
   });
 }
 
-void SweptBoxes::update(std::span<btRigidBody* const> bodies, double dt, btCollisionWorld& world) {
+void SweptBoxes::update(std::span<btRigidBody* const> bodies, double dt) {
+  assert(bodies.size() == within_.size());
   const bool areOfOtherStep = std::exchange(dt_, dt) != dt;
   if (std::exchange(isOneUnknown_, false) || areOfOtherStep) {
     forEach(bodies, [&](btRigidBody& body, std::size_t i) {
-      if (areOfOtherStep || stays_[i] == Stay::kUnknown) sweep(body, i, dt);
+      if (areOfOtherStep || within_[i] == Within::kUnknown) sweep(body, i, dt);
     });
   }
-  putThoseThatLeft(bodies, world);
+  fattenBoxes(bodies);
 }
 
-void SweptBoxes::updateInPlace(std::span<btRigidBody* const> bodies, btCollisionWorld& world) {
-  forEach(bodies, [&](btRigidBody& body, std::size_t i) { stays_[i] = stayOf(body, body.getWorldTransform()); });
-  putThoseThatLeft(bodies, world);
+void SweptBoxes::updateInPlace(std::span<btRigidBody* const> bodies) {
+  forEach(bodies, [&](btRigidBody& body, std::size_t i) { within_[i] = withinFatBox(body, body.getWorldTransform()); });
+  fattenBoxes(bodies);
   resize(0, bodies.size());
 }
 
-void SweptBoxes::putThoseThatLeft(std::span<btRigidBody* const> bodies, btCollisionWorld& world) {
+void SweptBoxes::updateInPlace(btRigidBody& body) {
+  const Aabb aabb = aabbOf(body, body.getWorldTransform());
+  if (!body.isStaticObject() && !isReasonable(aabb)) return;
+  broadPhase_.setAabb(body.getBroadphaseProxy(), aabb.lowest, aabb.highest, nullptr);
+}
+
+void SweptBoxes::fattenBoxes(std::span<btRigidBody* const> bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (stays_[i] == Stay::kYes) continue;
-    if (stays_[i] == Stay::kNo) broadPhase_.leave(*bodies[i]->getBroadphaseProxy(), wayAhead(*bodies[i]));
-    if (stays_[i] == Stay::kAbsurd) world.updateSingleAabb(bodies[i]);
-    stays_[i] = Stay::kYes;
+    if (within_[i] == Within::kTooFast) updateInPlace(*bodies[i]);
+    if (within_[i] == Within::kNo) broadPhase_.fattenAabb(*bodies[i]->getBroadphaseProxy(), motionAhead(*bodies[i]));
+    within_[i] = Within::kYes;
   }
 }
 

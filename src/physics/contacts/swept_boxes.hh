@@ -1,9 +1,7 @@
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,39 +12,42 @@
 
 namespace pongsim::physics {
 
-/// Of each body that forces move, the box that holds it where it is and where it gets in the coming step. It is found
-/// when the last step has moved the body, and anew where somebody has changed something since.
+/// The swept bounding box of each body that forces move: it holds the body where it is and where it gets in the coming
+/// step. It is computed when the last step has moved the body, and again if the body was moved or given a velocity
+/// since.
 class SweptBoxes {
  public:
   SweptBoxes(BroadPhase& broadPhase, shared::Workers& workers) : broadPhase_(broadPhase), workers_(workers) {}
 
-  /// There are so many bodies, of which the first `kept` are those of before.
+  /// Sets the number of bodies, of which the first `kept` are the same as before.
   void resize(std::size_t kept, std::size_t bodies);
 
-  /// Finds a body's box. May be called for several at once.
+  /// Computes a body's box. May be called for several bodies at once.
   /// @param dt Length of the coming step [s].
   void sweep(btRigidBody& body, std::size_t number, double dt);
-  /// Somebody has moved the body or set its velocity.
+  /// To be called when a body was moved or given a velocity.
   void forget(std::size_t number);
 
-  /// Finds boxes that are not known, and puts bodies that have left their boxes in the broad phase into new ones.
+  /// Computes boxes that are not known, and gives bodies that have left their fat boxes new ones.
   /// @param bodies All that forces move, in the order of their numbers.
-  void update(std::span<btRigidBody* const> bodies, double dt, btCollisionWorld& world);
-  /// Likewise of bodies where they are now, with no step to come. Forgets the boxes then.
-  void updateInPlace(std::span<btRigidBody* const> bodies, btCollisionWorld& world);
+  void update(std::span<btRigidBody* const> bodies, double dt);
+  /// Likewise for bodies at their current poses, without motion. Forgets the boxes then.
+  void updateInPlace(std::span<btRigidBody* const> bodies);
+  /// Gives a body that was moved, which may be static, a fat box without margin.
+  void updateInPlace(btRigidBody& body);
 
  private:
-  /// Whether a body's box in the broad phase's tree still holds it.
-  enum class Stay : std::uint8_t { kYes, kNo, kAbsurd, kUnknown };
+  /// Whether a body is still within its fat box.
+  enum class Within : std::uint8_t { kYes, kNo, kTooFast, kUnknown };
 
-  static Stay stayOf(btRigidBody& body, const btTransform& then);
+  static Within withinFatBox(btRigidBody& body, const btTransform& then);
   template <class Work>
   void forEach(std::span<btRigidBody* const> bodies, Work&& work);
-  void putThoseThatLeft(std::span<btRigidBody* const> bodies, btCollisionWorld& world);
+  void fattenBoxes(std::span<btRigidBody* const> bodies);
 
   BroadPhase& broadPhase_;
   shared::Workers& workers_;
-  std::vector<Stay> stays_;
+  std::vector<Within> within_;
   bool isOneUnknown_ = false;
   /// Length of the step that the boxes are for [s].
   double dt_ = 0;

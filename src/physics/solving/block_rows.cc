@@ -3,30 +3,30 @@
 #include <algorithm>
 #include <utility>
 
-#include "physics/solving/four.hh"
+#include "physics/lcp/four.hh"
 
 namespace pongsim::physics {
 
 namespace {
 
 using End = BlockRows::End;
-using Lanes = BlockRows::Lanes;
+using RowValues = BlockRows::RowValues;
 using Motion = BlockRows::Motion;
 
-[[gnu::always_inline]] inline Loose& fourOf(Lanes& lanes, std::size_t first) {
-  return *reinterpret_cast<Loose*>(lanes.data() + first);
+[[gnu::always_inline]] inline Loose& fourOf(RowValues& values, std::size_t first) {
+  return *reinterpret_cast<Loose*>(values.data() + first);
 }
-[[gnu::always_inline]] inline const Loose& fourOf(const Lanes& lanes, std::size_t first) {
-  return *reinterpret_cast<const Loose*>(lanes.data() + first);
+[[gnu::always_inline]] inline const Loose& fourOf(const RowValues& values, std::size_t first) {
+  return *reinterpret_cast<const Loose*>(values.data() + first);
 }
 
-PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const Motion& velocity, Lanes& along) {
+PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const Motion& velocity, RowValues& along) {
   const auto& I = inertia.inverseMoments;
 #pragma GCC unroll 2
-  for (std::size_t k = 0; k < BlockRows::kLanes; k += 4) {
+  for (std::size_t k = 0; k < BlockRows::kMostRows; k += 4) {
     Loose d[6];
 #pragma GCC unroll 6
-    for (std::size_t c = 0; c < 6; ++c) d[c] = fourOf(end.direction[c], k);
+    for (std::size_t c = 0; c < 6; ++c) d[c] = fourOf(end.jacobian[c], k);
     fourOf(along, k) = (velocity[0] * d[0] + velocity[2] * d[2] + velocity[4] * d[4]) +
                        (velocity[1] * d[1] + velocity[3] * d[3] + velocity[5] * d[5]);
 #pragma GCC unroll 3
@@ -43,7 +43,7 @@ PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const 
   for (std::size_t k = 0; k < end; k += 4) {
     Loose d[6];
 #pragma GCC unroll 6
-    for (std::size_t c = 0; c < 6; ++c) d[c] = fourOf(b.direction[c], k);
+    for (std::size_t c = 0; c < 6; ++c) d[c] = fourOf(b.jacobian[c], k);
     for (std::size_t i = 0; i < rowsOfA; ++i) {
       Four& sum = *reinterpret_cast<Four*>(to + i * stride + k);
       sum += (a.response[0][i] * d[0] + a.response[1][i] * d[1] + a.response[2][i] * d[2]) +
@@ -55,37 +55,37 @@ PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const 
 /// All that act on a body, the last of which is `end`.
 PONGSIM_WIDE void coupleAll(const End* ends, const End& end, const JointOrder& order, const int* rows, BlockMatrix& A) {
   const auto rowsOf = [rows](const End& each) { return static_cast<std::size_t>(rows[each.joint]); };
-  const auto add = [&](const End& a, const End& b, const BlockMatrix::Part& part) {
-    coupleLanes(a, rowsOf(a), b, rowsOf(b), part.data, part.stride);
+  const auto add = [&](const End& a, const End& b, const BlockMatrix::Block& block) {
+    coupleLanes(a, rowsOf(a), b, rowsOf(b), block.data, block.stride);
   };
   for (const End* a = &end;; a = ends + a->before) {
     const int placeOfA = order.placeOf(a->joint);
-    add(*a, *a, A.part(placeOfA, placeOfA));
+    add(*a, *a, A.block(placeOfA, placeOfA));
     for (int i = a->before; i >= 0; i = ends[i].before) {
       const End& b = ends[i];
       const int placeOfB = order.placeOf(b.joint);
-      const BlockMatrix::Part part = A.part(std::min(placeOfA, placeOfB), std::max(placeOfA, placeOfB));
-      if (placeOfA <= placeOfB) add(*a, b, part);
+      const BlockMatrix::Block block = A.block(std::min(placeOfA, placeOfB), std::max(placeOfA, placeOfB));
+      if (placeOfA <= placeOfB) add(*a, b, block);
       // two ends of one row, as gearboxes have them, count both ways
-      if (placeOfB <= placeOfA) add(b, *a, part);
+      if (placeOfB <= placeOfA) add(b, *a, block);
     }
     if (a->before < 0) break;
   }
 }
 
-PONGSIM_WIDE void answer(const End& end, const Motion& response, Lanes& sums) {
+PONGSIM_WIDE void answer(const End& end, const Motion& response, RowValues& sums) {
 #pragma GCC unroll 2
-  for (std::size_t k = 0; k < BlockRows::kLanes; k += 4) {
-    Loose sum = response[0] * fourOf(end.direction[0], k);
+  for (std::size_t k = 0; k < BlockRows::kMostRows; k += 4) {
+    Loose sum = response[0] * fourOf(end.jacobian[0], k);
 #pragma GCC unroll 6
-    for (std::size_t c = 1; c < 6; ++c) sum += response[c] * fourOf(end.direction[c], k);
+    for (std::size_t c = 1; c < 6; ++c) sum += response[c] * fourOf(end.jacobian[c], k);
     fourOf(sums, k) = sum;
   }
 }
 
-PONGSIM_WIDE void addImpulses(const End& end, const double* x, std::size_t lanes, Motion& change) {
+PONGSIM_WIDE void addImpulses(const End& end, const double* x, std::size_t values, Motion& change) {
   Four sums[8] = {};
-  for (std::size_t k = 0; k < lanes; k += 4) {
+  for (std::size_t k = 0; k < values; k += 4) {
     const Loose impulse = *reinterpret_cast<const Loose*>(x + k);
 #pragma GCC unroll 6
     for (std::size_t c = 0; c < 6; ++c) sums[c] += fourOf(end.response[c], k) * impulse;
@@ -107,7 +107,7 @@ void BlockRows::begin(std::size_t bodies, std::size_t ends) {
 
 BlockRows::End& BlockRows::add(int joint, int body) {
   End& end = ends_[count_];
-  for (Lanes& lanes : end.direction) lanes.fill(0);
+  for (RowValues& values : end.jacobian) values.fill(0);
   end.joint = joint;
   end.body = body;
   end.before = std::exchange(last_[static_cast<std::size_t>(body)], static_cast<int>(count_));
@@ -115,8 +115,8 @@ BlockRows::End& BlockRows::add(int joint, int body) {
   return end;
 }
 
-BlockRows::Lanes BlockRows::respond(End& end, const Inertia& inertia, const Motion& velocity) {
-  Lanes along;
+BlockRows::RowValues BlockRows::respond(End& end, const Inertia& inertia, const Motion& velocity) {
+  RowValues along;
   respondAll(end, inertia, velocity, along);
   return along;
 }
@@ -129,13 +129,13 @@ void BlockRows::couple(const JointOrder& order, std::span<const int> rows, Block
 
 void BlockRows::couple(const JointOrder& order, std::span<const int> rows, int body, const Motion& response, int number,
                        BlockMatrix& A) const {
-  Lanes sums;
+  RowValues sums;
   for (int i = last_[static_cast<std::size_t>(body)]; i >= 0;) {
     const End& end = ends_[static_cast<std::size_t>(i)];
     answer(end, response, sums);
-    const BlockMatrix::Part part = A.part(order.placeOf(end.joint), A.boundedPlace());
-    double* to = part.data + number;
-    for (int row = 0; row < rows[static_cast<std::size_t>(end.joint)]; ++row, to += part.stride) {
+    const BlockMatrix::Block block = A.block(order.placeOf(end.joint), A.boundedPlace());
+    double* to = block.data + number;
+    for (int row = 0; row < rows[static_cast<std::size_t>(end.joint)]; ++row, to += block.stride) {
       *to += sums[static_cast<std::size_t>(row)];
     }
     i = end.before;
@@ -146,7 +146,7 @@ void BlockRows::apply(int body, const JointOrder& order, const BlockMatrix& A, c
   for (int i = last_[static_cast<std::size_t>(body)]; i >= 0;) {
     const End& end = ends_[static_cast<std::size_t>(i)];
     const int place = order.placeOf(end.joint);
-    addImpulses(end, x + A.indexOf(place, 0), A.lanesAt(place), change);
+    addImpulses(end, x + A.indexOf(place, 0), A.paddedRowsAt(place), change);
     i = end.before;
   }
 }

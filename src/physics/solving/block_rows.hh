@@ -5,26 +5,26 @@
 #include <span>
 #include <vector>
 
-#include "physics/solving/block_matrix.hh"
-#include "physics/solving/joint_order.hh"
+#include "physics/lcp/block_matrix.hh"
+#include "physics/lcp/joint_order.hh"
 
 namespace pongsim::physics {
 
-/// The equations of joints in trees as rows, those of a joint side by side: `GroupRows` has what they ask for. Holds
-/// nothing but memory from group to group.
+/// The equations of joints in trees as rows, those of a joint side by side: `IslandRows` has what they ask for. Holds
+/// nothing but memory from island to island.
 class BlockRows {
  public:
   /// As many as there is room for side by side, of which `BlockMatrix` takes fewer.
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kMostRows = 8;
   /// Of each row, for one component of a motion (linear, angular).
-  using Lanes = std::array<double, kLanes>;
+  using RowValues = std::array<double, kMostRows>;
   using Motion = std::array<double, 6>;
 
   /// How a joint's rows act on a body: how the body's motion counts for each, and how the body answers an impulse along
   /// it.
   struct End {
-    std::array<Lanes, 6> direction;
-    std::array<Lanes, 6> response;
+    std::array<RowValues, 6> jacobian;
+    std::array<RowValues, 6> response;
     int joint;
     int body;
     /// The end before it at the same body, -1 for none.
@@ -45,16 +45,15 @@ class BlockRows {
   /// Adds an end whose directions are zero.
   End& add(int joint, int body);
   /// Sets how the body's motion counts for a row.
-  static void set(End& end, std::size_t lane, const std::array<double, 3>& linear,
-                  const std::array<double, 3>& angular) {
+  static void set(End& end, std::size_t row, const auto& linear, const auto& angular) {
     for (std::size_t k = 0; k < 3; ++k) {
-      end.direction[k][lane] = linear[k];
-      end.direction[k + 3][lane] = angular[k];
+      end.jacobian[k][row] = linear[k];
+      end.jacobian[k + 3][row] = angular[k];
     }
   }
   /// Finds how the body answers, once the directions are set.
   /// @return The velocities along the rows.
-  static Lanes respond(End& end, const Inertia& inertia, const Motion& velocity);
+  static RowValues respond(End& end, const Inertia& inertia, const Motion& velocity);
 
   /// Adds to A what rows of joints at the same body do to each other.
   void couple(const JointOrder& order, std::span<const int> rows, BlockMatrix& A) const;

@@ -58,7 +58,7 @@ struct Chain {
   JointOrder order;
   BlockRows blocks;
   std::array<std::array<std::array<double, 24>, 6>, 3> J{};
-  std::array<std::array<BlockRows::Lanes, 2>, 3> along;
+  std::array<std::array<BlockRows::RowValues, 2>, 3> along;
 };
 
 TEST(BlockRows, SeeHowFastBodiesMoveAlongThem) {
@@ -67,7 +67,7 @@ TEST(BlockRows, SeeHowFastBodiesMoveAlongThem) {
   for (std::size_t joint = 0; joint < 3; ++joint) {
     for (const std::size_t end : {0U, 1U}) {
       const auto body = static_cast<std::size_t>(chain.joints[joint][end]);
-      for (std::size_t lane = 0; lane < BlockRows::kLanes; ++lane) {
+      for (std::size_t lane = 0; lane < BlockRows::kMostRows; ++lane) {
         double expected = 0;
         for (std::size_t k = 0; lane < 6 && k < 6; ++k)
           expected += chain.J[joint][lane][6 * body + k] * chain.velocity[k];
@@ -93,16 +93,16 @@ TEST(BlockRows, CoupleWhatActsOnTheSameBody) {
       const int first = chain.order.placeOf(i), second = chain.order.placeOf(j);
       const auto later = chain.order.later(first);
       if (first != second && std::ranges::find(later, second) == later.end()) continue;
-      const BlockMatrix::Part part = A.part(first, second);
+      const BlockMatrix::Block block = A.block(first, second);
       const auto b = static_cast<std::size_t>(j);
       for (std::size_t m = 0; m < static_cast<std::size_t>(chain.rows[a]); ++m) {
         for (std::size_t n = first == second ? m : 0; n < static_cast<std::size_t>(chain.rows[b]); ++n) {
-          EXPECT_NEAR(part.data[m * part.stride + n], chain.coupling(chain.J[a][m], chain.J[b][n]), 1e-12);
+          EXPECT_NEAR(block.data[m * block.stride + n], chain.coupling(chain.J[a][m], chain.J[b][n]), 1e-12);
         }
       }
     }
     if (i == 0) continue;
-    const BlockMatrix::Part bounded = A.part(chain.order.placeOf(i), A.boundedPlace());
+    const BlockMatrix::Block bounded = A.block(chain.order.placeOf(i), A.boundedPlace());
     for (std::size_t m = 0; m < static_cast<std::size_t>(chain.rows[a]); ++m) {
       EXPECT_NEAR(bounded.data[m * bounded.stride], chain.coupling(chain.J[a][m], boundedRow), 1e-12);
     }

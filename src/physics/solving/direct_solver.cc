@@ -8,12 +8,12 @@ namespace pongsim::physics {
 
 namespace {
 
-// an impulse beyond that comes from a matrix that could not be inverted [N s]
+// a larger impulse comes from a matrix that is not invertible in floating-point numbers [N s]
 constexpr double kLargestImpulse = 1e6;
 
-/// Takes impulses from their places to the rows, as many as there are.
-/// @return Whether all of them are within reason.
-bool takeSound(std::span<const double> x, std::span<const int> places, std::span<double> impulses) {
+/// Copies impulses from their places to the rows' order.
+/// @return Whether all of them are reasonable.
+bool takeIfReasonable(std::span<const double> x, std::span<const int> places, std::span<double> impulses) {
   for (std::size_t i = 0; i < impulses.size(); ++i) {
     impulses[i] = x[static_cast<std::size_t>(places[i])];
     if (!(std::abs(impulses[i]) < kLargestImpulse)) return false;
@@ -23,19 +23,19 @@ bool takeSound(std::span<const double> x, std::span<const int> places, std::span
 
 }  // namespace
 
-bool DirectSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
-                         std::span<btTypedConstraint* const> joints, const btContactSolverInfo& info) {
-  const std::span<const JointBodies> jointBodies = rows_.begin(bodies, joints, info);
+bool DirectSolver::solve(std::span<btRigidBody* const> bodies, std::span<btPersistentManifold* const> manifolds,
+                         std::span<Joint* const> joints, double dt) {
+  const std::span<const JointBodies> jointBodies = rows_.begin(bodies, joints, dt);
   const JointOrder* const order = orderOfTree(jointBodies);
   rows_.collect(manifolds, joints, order != nullptr);
   impulses_.resize(rows_.rows().size());
-  penetrates_ = std::ranges::any_of(rows_.rows(), [](const GroupRows::Row& row) { return row.askedApart != 0; });
+  hasPenetration_ = std::ranges::any_of(rows_.rows(), [](const IslandRows::Row& row) { return row.pushRhs != 0; });
   if (order != nullptr ? !solveTree(*order) : !solveWhole()) return false;
-  rows_.apply(impulses_, impulsesApart_);
+  rows_.apply(impulses_, pushImpulses_);
   return true;
 }
 
-/// @return The order in which joints are eliminated; null where none is better than another.
+/// @return The order in which joints are eliminated; null if none is better than another.
 const JointOrder* DirectSolver::orderOfTree(std::span<const JointBodies> joints) {
   if (haveOneHub(joints)) return nullptr;
   const JointOrder& order = orders_.find(joints);
@@ -47,11 +47,11 @@ bool DirectSolver::solveWhole() {
   if (count > static_cast<std::size_t>(mostRows_)) return false;
   placeRows();
   const UpperRows A = lcp_.begin(static_cast<int>(count));
-  rows_.couple(places_, A);
+  rows_.assemble(places_, A);
   for (std::size_t i = 0; i < count; ++i) {
     double* const row = A.row(static_cast<std::size_t>(places_[i]));
-    row[count] = rows_.rows()[i].asked;
-    row[count + 1] = rows_.rows()[i].askedApart;
+    row[count] = rows_.rows()[i].rhs;
+    row[count + 1] = rows_.rows()[i].pushRhs;
   }
   setBounds(0);
   x_.resize(count);
@@ -60,7 +60,7 @@ bool DirectSolver::solveWhole() {
 }
 
 void DirectSolver::placeRows() {
-  const std::span<const GroupRows::Row> rows = rows_.rows();
+  const std::span<const IslandRows::Row> rows = rows_.rows();
   places_.resize(rows.size());
   int place = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -72,9 +72,9 @@ void DirectSolver::placeRows() {
   }
 }
 
-/// Sets the bounds of rows but for the first `skipped` places.
+/// Sets the bounds of all rows but those at the first `skipped` places.
 void DirectSolver::setBounds(int skipped) {
-  const std::span<const GroupRows::Row> rows = rows_.rows();
+  const std::span<const IslandRows::Row> rows = rows_.rows();
   const std::size_t count = rows.size() - static_cast<std::size_t>(skipped);
   lowest_.resize(count);
   highest_.resize(count);
@@ -90,7 +90,7 @@ void DirectSolver::setBounds(int skipped) {
 }
 
 bool DirectSolver::solveTree(const JointOrder& order) {
-  const std::span<const GroupRows::Row> rows = rows_.rows();
+  const std::span<const IslandRows::Row> rows = rows_.rows();
   placeRows();
   const int bounded = static_cast<int>(rows.size()) - equations_;
   if (bounded > mostRows_) return false;
@@ -104,13 +104,13 @@ bool DirectSolver::solveTree(const JointOrder& order) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].isEquation) places_[i] = A.boundedNumber(places_[i]);
   }
-  rows_.couple(order, places_, A);
+  rows_.assemble(order, places_, A);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int place = rows[i].isEquation ? order.placeOf(rows[i].joint) : A.boundedPlace();
-    const int number = rows[i].isEquation ? rows[i].lane : places_[i];
+    const int number = rows[i].isEquation ? rows[i].rowInJoint : places_[i];
     double* const sides = A.sides(place, number);
-    sides[0] = rows[i].asked;
-    sides[1] = rows[i].askedApart;
+    sides[0] = rows[i].rhs;
+    sides[1] = rows[i].pushRhs;
     places_[i] = A.indexOf(place, number);
   }
   x_.resize(A.size());
@@ -118,18 +118,17 @@ bool DirectSolver::solveTree(const JointOrder& order) {
                                             normalOf_.data()})) {
     return false;
   }
-  rows_.applyEquations(order, A, x_.data(), penetrates_ ? xApart_.data() : nullptr);
+  rows_.applyEquations(order, A, x_.data(), hasPenetration_ ? xPush_.data() : nullptr);
   return true;
 }
 
-/// Finds the impulses. What takes penetration back moves the bodies without giving them speed, and their joints with
-/// them.
+/// Solves for the impulses and, with penetration, for the push impulses, which also keep the joints together.
 bool DirectSolver::solveSides(auto& lcp, const auto& problem) {
-  impulsesApart_.resize(penetrates_ ? static_cast<std::size_t>(rows_.unfrictionalRows()) : 0);
-  if (!lcp.solve(problem, x_) || !takeSound(x_, places_, impulses_)) return false;
-  if (!penetrates_) return true;
-  xApart_.resize(x_.size());
-  return lcp.solveSecond(xApart_) && takeSound(xApart_, places_, impulsesApart_);
+  pushImpulses_.resize(hasPenetration_ ? static_cast<std::size_t>(rows_.unfrictionalRows()) : 0);
+  if (!lcp.solve(problem, x_) || !takeIfReasonable(x_, places_, impulses_)) return false;
+  if (!hasPenetration_) return true;
+  xPush_.resize(x_.size());
+  return lcp.solveSecond(xPush_) && takeIfReasonable(xPush_, places_, pushImpulses_);
 }
 
 }  // namespace pongsim::physics

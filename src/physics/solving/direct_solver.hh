@@ -1,30 +1,29 @@
 #pragma once
 
-#include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
-
 #include <span>
 #include <vector>
 
-#include "physics/solving/group_rows.hh"
-#include "physics/solving/joint_order.hh"
-#include "physics/solving/reduced_lcp.hh"
-#include "physics/solving/tree_lcp.hh"
+#include "physics/lcp/joint_order.hh"
+#include "physics/lcp/reduced_lcp.hh"
+#include "physics/lcp/tree_lcp.hh"
+#include "physics/settings.hh"
+#include "physics/solving/island_rows.hh"
 
 namespace pongsim::physics {
 
-/// Solves all rows of a group of bodies at once, as a mixed linear complementarity problem. Where links form trees or
-/// chains, their joints are eliminated from the leaves to the root, at a cost that grows with their number.
+/// Solves all rows of an island at once, as a mixed linear complementarity problem. Joints of trees and chains of links
+/// are eliminated from the leaves to the root, at a cost that is linear in their number.
 class DirectSolver {
  public:
-  /// @param mostRows Groups with more rows are solved only where these are equations of trees for the most part: with
-  /// no more rows with bounds, and no more work for each row than there would be in a group of so many rows.
-  explicit DirectSolver(int mostRows) : mostRows_(mostRows) {}
+  /// Islands with more rows than `settings.mostDirectRows` are solved only if most of them are equations of trees: with
+  /// no more bounded rows than that, and no more work per row than in an island of that many rows.
+  explicit DirectSolver(const Settings& settings) : mostRows_(settings.mostDirectRows), rows_(settings) {}
 
-  /// Gives the bodies their velocities at the end of the step, takes penetration back, and writes the impulses to the
-  /// points of contact and to joints that are measured.
-  /// @return Whether it found a sound solution; else nothing is changed but friction's directions.
-  bool solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
-             std::span<btTypedConstraint* const> joints, const btContactSolverInfo& info);
+  /// Gives the bodies their velocities at the end of the step of `dt` [s], corrects penetration, and writes the
+  /// impulses to the contact points and to measured joints.
+  /// @return False if there is no reasonable solution; then only friction directions have changed.
+  bool solve(std::span<btRigidBody* const> bodies, std::span<btPersistentManifold* const> manifolds,
+             std::span<Joint* const> joints, double dt);
 
  private:
   const JointOrder* orderOfTree(std::span<const JointBodies> joints);
@@ -35,23 +34,23 @@ class DirectSolver {
   bool solveSides(auto& lcp, const auto& problem);
 
   const int mostRows_;
-  GroupRows rows_;
-  /// Where each row stands in the problem: equations before what has bounds. Of a tree, first the numbers of rows with
-  /// bounds, then where x has all of them.
+  IslandRows rows_;
+  /// The place of each row in the problem: equations before bounded rows. Of a tree, first the numbers of bounded rows,
+  /// then the place of all in x.
   std::vector<int> places_;
   int equations_ = 0;
-  /// Whether any is to be taken back without giving speed.
-  bool penetrates_ = false;
-  /// In the order of places; of a tree, those of rows with bounds.
+  /// Whether any row has a push right-hand side.
+  bool hasPenetration_ = false;
+  /// In the order of places; of a tree, those of bounded rows.
   std::vector<double> lowest_;
   std::vector<double> highest_;
   std::vector<int> normalOf_;
   /// In the order of places; of a tree, as `BlockMatrix` has them.
   std::vector<double> x_;
-  std::vector<double> xApart_;
+  std::vector<double> xPush_;
   /// In the rows' order.
   std::vector<double> impulses_;
-  std::vector<double> impulsesApart_;
+  std::vector<double> pushImpulses_;
   ReducedLcp lcp_;
 
   JointOrders orders_;

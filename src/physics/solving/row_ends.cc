@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/solving/four.hh"
+#include "physics/lcp/four.hh"
 
 namespace pongsim::physics {
 
@@ -77,7 +77,7 @@ PONGSIM_WIDE void coupleAll(const RowEnd* const* ends, std::size_t count, const 
       const RowEnd& end = *ends[i];
       const auto place = static_cast<std::size_t>(end.place);
       Four sums;
-      couplings(end.direction, four, sums);
+      couplings(end.jacobian, four, sums);
       const bool isOneOfThem = i >= begin;
       const std::size_t first = isOneOfThem ? i - begin : 0;
       if (!four.ascend || !(isOneOfThem || place < four.places[0])) {

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "physics/solving/elimination.hh"
+#include "physics/lcp/elimination.hh"
 
 namespace pongsim::physics {
 
 /// One end of a row: how the motion of the body there counts for the row (linear, angular), and how the body answers
 /// an impulse along it.
 struct RowEnd {
-  std::array<double, 6> direction;
+  std::array<double, 6> jacobian;
   std::array<double, 6> response;
   int row;
   int body;
@@ -27,7 +27,7 @@ using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
 
 /// @return How much velocity along `one` an impulse along `other` gives, at the same body.
 inline double coupling(const RowEnd& one, const RowEnd& other) {
-  const Two* const x = reinterpret_cast<const Two*>(one.direction.data());
+  const Two* const x = reinterpret_cast<const Two*>(one.jacobian.data());
   const Two* const y = reinterpret_cast<const Two*>(other.response.data());
   const Two sums = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
   return sums[0] + sums[1];

@@ -17,7 +17,7 @@ std::vector<RowEnd> endsAt(const std::vector<int>& places) {
   std::vector<RowEnd> ends;
   for (std::size_t i = 0; i < places.size(); ++i) {
     RowEnd end{};
-    for (double& each : end.direction) each = number(random);
+    for (double& each : end.jacobian) each = number(random);
     for (double& each : end.response) each = number(random);
     end.row = static_cast<int>(i);
     end.before = static_cast<int>(i) - 1;

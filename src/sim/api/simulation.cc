@@ -44,7 +44,7 @@ physics::Settings settingsFor(const description::PhysicsProfile& profile, const 
   settings.threads = std::max(options.threads, 1);
   settings.maxContacts = profile.maxContacts;
   settings.hullCache = assets::FileCache::userFolder();
-  if (profile.dart.solver == "pgs") settings.solver = physics::Solver::kSequentialImpulse;
+  if (profile.dart.solver == "pgs") settings.solver = physics::Solver::kGaussSeidel;
   return settings;
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/solving/block_matrix.hh"
-#include "physics/solving/joint_order.hh"
+#include "physics/lcp/block_matrix.hh"
+#include "physics/lcp/joint_order.hh"
 
 namespace pongsim::test {
 
@@ -94,8 +94,8 @@ struct TreeCase {
       for (std::size_t j = 0; j < rows.size(); ++j) {
         const double value = A(i, j);
         if (value == 0 || places[i] > places[j]) continue;
-        const BlockMatrix::Part part = matrix.part(places[i].first, places[j].first);
-        part.data[static_cast<std::size_t>(places[i].second) * part.stride +
+        const BlockMatrix::Block block = matrix.block(places[i].first, places[j].first);
+        block.data[static_cast<std::size_t>(places[i].second) * block.stride +
                   static_cast<std::size_t>(places[j].second)] = value;
       }
       double* const sides = matrix.sides(places[i].first, places[i].second);

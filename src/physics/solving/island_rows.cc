@@ -1,0 +1,409 @@
+#include "physics/solving/island_rows.hh"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "physics/contacts/bounce.hh"
+#include "physics/motion.hh"
+#include "physics/rounding.hh"
+
+namespace pongsim::physics {
+
+namespace {
+
+// Compliance of rigid contacts, as a fraction of the inverse mass that they move. A body on more than three points,
+// such as a robot on two wheels and two casters, then spreads its weight over all of them. With rigid points, a
+// difference of nanometres would lift the wheels off the ground, and they would spin.
+constexpr double kContactCompliance = 1e-4;
+
+// J M^-1 J^T below which a row moves nothing, because that is rounding [1/kg]
+constexpr double kSmallestInverseMass = SIMD_EPSILON;
+
+// Fraction of the rotation by push impulses that is applied (Bullet's m_splitImpulseTurnErp).
+constexpr double kPushRotationErp = 0.1;
+
+// a push rotation below this is applied to first order [rad]
+constexpr double kSmallPushRotation = 1e-4;
+
+/// J of a body of a joint: its parent, its child or, of a gearbox, its reference body.
+struct BodyJacobian {
+  btVector3 linear;
+  btVector3 angular;
+};
+
+constexpr std::size_t kMostJointBodies = 3;
+
+BodyJacobian jacobianOf(const JointRow& row, std::size_t body) {
+  if (body == 0) return {-row.linear, row.parentAngular};
+  if (body == 1) return {row.linear, row.childAngular};
+  return {btVector3(0, 0, 0), row.referenceAngular};
+}
+
+/// @return The bodies in that order; the last one is null for all but gearboxes on a moving body.
+std::array<const btRigidBody*, kMostJointBodies> bodiesOf(const Joint& joint) {
+  return {&joint.parent(), &joint.child(), joint.reference()};
+}
+
+}  // namespace
+
+std::span<const JointBodies> IslandRows::begin(std::span<btRigidBody* const> bodies, std::span<Joint* const> joints,
+                                               double dt) {
+  dt_ = dt;
+  takeBodies(bodies);
+  jointBodies_.clear();
+  for (const Joint* joint : joints) {
+    JointBodies& numbers = jointBodies_.emplace_back(JointBodies{-1, -1, -1});
+    for (const btRigidBody* body : bodiesOf(*joint)) {
+      if (body == nullptr) continue;
+      const int number = numberOf(*body);
+      if (std::ranges::find(numbers, number) == numbers.end()) *std::ranges::find(numbers, -1) = number;
+    }
+  }
+  return jointBodies_;
+}
+
+void IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints,
+                         bool isTree) {
+  isTree_ = isTree;
+  rows_.clear();
+  endCount_ = 0;
+  contacts_.clear();
+  measured_.clear();
+  areOfTwoBodies_ = true;
+  equations_.clear();
+  if (isTree) blocks_.begin(bodies_.size(), kMostJointBodies * joints.size());
+  isFriction_ = false;
+  for (Joint* joint : joints) addJoint(*joint);
+  jointRows_ = static_cast<int>(rows_.size());
+  for (btPersistentManifold* manifold : manifolds) {
+    for (int i = 0; i < manifold->getNumContacts(); ++i) {
+      addContact(contacts_.emplace_back(manifold->getContactPoint(i), *manifold));
+    }
+  }
+  unfrictionalRows_ = static_cast<int>(rows_.size());
+  isFriction_ = true;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SolverContact& contact = contacts_[i];
+    const btManifoldPoint& point = contact.point;
+    const int normal = jointRows_ + static_cast<int>(i);
+    addFrictionRow(contact, point.m_lateralFrictionDir1, point.m_combinedFriction, contact.friction.slip1,
+                   point.m_contactMotion1, normal);
+    addFrictionRow(contact, point.m_lateralFrictionDir2, contact.friction.mu2, contact.friction.slip2,
+                   point.m_contactMotion2, normal);
+  }
+  isFriction_ = false;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (contacts_[i].friction.torsion > 0) addTorsionRow(contacts_[i], jointRows_ + static_cast<int>(i));
+  }
+}
+
+/// @return Its number in the island, -1 for a body that does not move.
+int IslandRows::numberOf(const btRigidBody& body) const {
+  if (body.getInvMass() == 0) return -1;
+  const int number = body.getCompanionId();
+  assert(number >= 0 && static_cast<std::size_t>(number) < bodies_.size());
+  assert(bodies_[static_cast<std::size_t>(number)].body == &body);
+  return number;
+}
+
+// a body's companion id is its number in the island
+void IslandRows::takeBodies(std::span<btRigidBody* const> bodies) {
+  bodies_.clear();
+  for (btRigidBody* each : bodies) {
+    btRigidBody& body = *each;
+    assert(body.getInvMass() > 0 && std::isfinite(body.getInvMass()));
+    body.setCompanionId(static_cast<int>(bodies_.size()));
+    const btVector3 linear = body.getLinearVelocity() + body.getTotalForce() * (body.getInvMass() * dt_);
+    const btMatrix3x3& I = body.getInvInertiaTensorWorld();
+    const btVector3 angular = body.getAngularVelocity() + I * body.getTotalTorque() * dt_;
+    bodies_.push_back({&body,
+                       {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()},
+                       body.getAngularVelocity(),
+                       {},
+                       {},
+                       {Two{I[0].x(), I[1].x()}, Two{I[0].y(), I[1].y()}, Two{I[0].z(), I[1].z()}},
+                       -1});
+  }
+}
+
+/// Adds an end of the last row.
+/// @return The velocity of the body along the row.
+double IslandRows::addEnd(const btRigidBody& body, const btVector3& linear, const btVector3& angular) {
+  if (body.getInvMass() == 0) return linear.dot(body.getLinearVelocity()) + angular.dot(body.getAngularVelocity());
+  const int number = numberOf(body);
+  Body& own = bodies_[static_cast<std::size_t>(number)];
+  if (endCount_ == ends_.size()) ends_.resize(2 * endCount_ + 64);
+  const int before = std::exchange(own.lastEnd, static_cast<int>(endCount_));
+  RowEnd& end = ends_[endCount_++];
+  end.row = static_cast<int>(rows_.size()) - 1;
+  end.body = number;
+  end.before = before;
+  Two* const jacobian = reinterpret_cast<Two*>(end.jacobian.data());
+  const Two first{linear.x(), linear.y()}, middle{linear.z(), angular.x()}, last{angular.y(), angular.z()};
+  jacobian[0] = first;
+  jacobian[1] = middle;
+  jacobian[2] = last;
+  const double inverseMass = body.getInvMass();
+  const Two* const I = own.inverseMoments;
+  const Two turn = I[0] * angular.x() + I[1] * angular.y() + I[2] * angular.z();
+  const double lastTurn = body.getInvInertiaTensorWorld()[2].dot(angular);
+  Two* const response = reinterpret_cast<Two*>(end.response.data());
+  response[0] = first * inverseMass;
+  response[1] = Two{linear.z() * inverseMass, turn[0]};
+  response[2] = Two{turn[1], lastTurn};
+  const auto& v = own.velocity;
+  if (!isFriction_) {
+    const Two* const velocity = reinterpret_cast<const Two*>(v.data());
+    const Two sums = first * velocity[0] + middle * velocity[1] + last * velocity[2];
+    return sums[0] + sums[1];
+  }
+  return linear.dot(btVector3(v[0], v[1], v[2])) + angular.dot(own.angularBefore);
+}
+
+/// Adds the ends of the last row, which is a joint's.
+/// @return The velocity of the joint's bodies along it.
+double IslandRows::addJointEnds(const Joint& joint, const JointRow& content) {
+  const auto at = [&](const btRigidBody& body, std::size_t number) {
+    const BodyJacobian J = jacobianOf(content, number);
+    return addEnd(body, J.linear, J.angular);
+  };
+  const double along = at(joint.parent(), 0) + at(joint.child(), 1);
+  return joint.reference() == nullptr ? along : along + at(*joint.reference(), 2);
+}
+
+void IslandRows::addJoint(Joint& joint) {
+  std::array<JointRow, Joint::kMostRows> memory;
+  const std::span<const JointRow> content = joint.rows(dt_, settings_.jointErp, memory);
+  areOfTwoBodies_ = areOfTwoBodies_ && joint.reference() == nullptr && &joint.parent() != &joint.child();
+  const std::size_t first = rows_.size();
+  for (const JointRow& each : content) {
+    Row& row = rows_.emplace_back(Row{each.bias, 0, each.lowest, each.highest});
+    row.isEquation = std::isinf(each.lowest) && std::isinf(each.highest);
+    if (joint.isMeasured()) measured_.push_back({&joint, each, rows_.size() - 1});
+    if (!isTree_ || !row.isEquation) row.rhs -= addJointEnds(joint, each);
+  }
+  if (isTree_) addBlocks(joint, content, std::span(rows_).subspan(first));
+}
+
+/// Adds the equations among the rows of a joint as blocks.
+void IslandRows::addBlocks(const Joint& joint, std::span<const JointRow> content, std::span<Row> rows) {
+  static_assert(Joint::kMostRows <= BlockRows::kMostRows);
+  const int number = static_cast<int>(equations_.size());
+  int& equations = equations_.emplace_back(0);
+  const std::array<const btRigidBody*, kMostJointBodies> bodies = bodiesOf(joint);
+  std::array<BlockRows::End*, kMostJointBodies> ends{};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const int body = bodies[i] == nullptr ? -1 : numberOf(*bodies[i]);
+    if (body >= 0) ends[i] = &blocks_.add(number, body);
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    Row& row = rows[r];
+    if (!row.isEquation) continue;
+    row.joint = number;
+    row.rowInJoint = equations++;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (bodies[i] == nullptr) continue;
+      const BodyJacobian J = jacobianOf(content[r], i);
+      if (ends[i] != nullptr) {
+        BlockRows::set(*ends[i], static_cast<std::size_t>(row.rowInJoint), J.linear, J.angular);
+      } else {
+        row.rhs -= J.linear.dot(bodies[i]->getLinearVelocity()) + J.angular.dot(bodies[i]->getAngularVelocity());
+      }
+    }
+  }
+  for (BlockRows::End* const end : ends) {
+    if (end == nullptr) continue;
+    const BlockRows::RowValues along = respond(*end);
+    for (Row& row : rows) {
+      if (row.isEquation) row.rhs -= along[static_cast<std::size_t>(row.rowInJoint)];
+    }
+  }
+}
+
+BlockRows::RowValues IslandRows::respond(BlockRows::End& end) const {
+  const Body& body = bodies_[static_cast<std::size_t>(end.body)];
+  const btMatrix3x3& I = body.body->getInvInertiaTensorWorld();
+  return BlockRows::respond(
+      end,
+      {body.body->getInvMass(),
+       {I[0].x(), I[0].y(), I[0].z(), I[1].x(), I[1].y(), I[1].z(), I[2].x(), I[2].y(), I[2].z()}},
+      body.velocity);
+}
+
+btVector3 IslandRows::velocityAt(const btRigidBody& body, const btVector3& arm) const {
+  const int number = numberOf(body);
+  if (number < 0) return body.getLinearVelocity() + body.getAngularVelocity().cross(arm);
+  const auto& v = bodies_[static_cast<std::size_t>(number)].velocity;
+  return btVector3(v[0], v[1], v[2]) + btVector3(v[3], v[4], v[5]).cross(arm);
+}
+
+void IslandRows::addContact(const SolverContact& contact) {
+  if (!contact.friction.isDirected) {
+    contact.chooseDirections(velocityAt(contact.a, contact.armA) - velocityAt(contact.b, contact.armB));
+  }
+  const btManifoldPoint& point = contact.point;
+  const btVector3& normal = point.m_normalWorldOnB;
+  rows_.push_back({0, 0, 0, kInfinity});
+  const double along =
+      addEnd(contact.a, normal, contact.armA.cross(normal)) + addEnd(contact.b, -normal, -contact.armB.cross(normal));
+  Row& row = rows_.back();
+  row.rhs = -along + bounceChange(point, contact.a, contact.b, dt_);
+  if (point.m_combinedRestitution > 0) {
+    const btVector3 velocity =
+        contact.a.getVelocityInLocalPoint(contact.armA) - contact.b.getVelocityInLocalPoint(contact.armB);
+    row.rhs += std::max(0.0, -point.m_combinedRestitution * normal.dot(velocity));
+  }
+  const double distance = point.getDistance();
+  if (distance > 0) row.rhs -= distance / dt_;
+  const double depth = std::max(0.0, -distance);
+  if (contact.isSoft()) {
+    // implicit spring and damper: erp = dt k / (dt k + d), compliance = 1 / (dt (dt k + d)) (E. Catto, Soft
+    // constraints, GDC 2011)
+    const double stiffness = dt_ * point.m_combinedContactStiffness1;
+    const double sum = std::max(stiffness + point.m_combinedContactDamping1, SIMD_EPSILON);
+    row.rhs += depth * (stiffness / sum) / dt_;
+    row.compliance = 1 / sum / dt_;
+  } else {
+    // deep overlap comes from placing, not from motion, so it is pushed out at a limited speed
+    row.pushRhs = std::min(depth * settings_.contactErp / dt_, kMaxPushAcceleration * dt_);
+    row.isRigidContact = true;
+  }
+}
+
+// slip is a velocity proportional to the force: a compliance of slip / dt
+void IslandRows::addFrictionRow(const SolverContact& contact, const btVector3& direction, double mu, double slip,
+                                double motion, int normal) {
+  rows_.push_back({0, 0, -mu, mu, slip / dt_, normal});
+  const double along = addEnd(contact.a, direction, contact.armA.cross(direction)) +
+                       addEnd(contact.b, -direction, -contact.armB.cross(direction));
+  rows_.back().rhs = motion - along;
+}
+
+void IslandRows::addTorsionRow(const SolverContact& contact, int normal) {
+  const btVector3& axis = contact.point.m_normalWorldOnB;
+  const btVector3 none(0, 0, 0);
+  const PointFriction& friction = contact.friction;
+  rows_.push_back({0, 0, -friction.torsion, friction.torsion, friction.torsionSlip / dt_, normal});
+  const double along = addEnd(contact.a, none, axis) + addEnd(contact.b, none, -axis);
+  rows_.back().rhs = -along;
+}
+
+void IslandRows::assemble(std::span<const int> places, const UpperRows& A) {
+  assert(places.size() == rows_.size() && A.rows == rows_.size());
+  for (RowEnd& end : ends()) end.place = places[static_cast<std::size_t>(end.row)];
+  if (areOfTwoBodies_) {
+    for (const Body& body : bodies_) bodyCoupling_.couple(ends(), body.lastEnd, A);
+  } else {
+    for (const RowEnd& end : ends()) coupleBefore(ends(), end, A);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto place = static_cast<std::size_t>(places[i]);
+    regularize(rows_[i], A.row(place)[place]);
+  }
+}
+
+void IslandRows::assemble(const JointOrder& order, std::span<const int> numbers, BlockMatrix& A) {
+  assert(numbers.size() == rows_.size() && equations_.size() == order.count());
+  blocks_.couple(order, equations_, A);
+  const UpperRows bounded = A.bounded();
+  for (RowEnd& end : ends()) {
+    end.place = numbers[static_cast<std::size_t>(end.row)];
+    blocks_.couple(order, equations_, end.body, end.response, end.place, A);
+    coupleBefore(ends(), end, bounded);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    const int place = row.isEquation ? order.placeOf(row.joint) : A.boundedPlace();
+    const int number = row.isEquation ? row.rowInJoint : numbers[i];
+    const BlockMatrix::Block block = A.block(place, place);
+    regularize(row, block.data[static_cast<std::size_t>(number) * (block.stride + 1)]);
+  }
+}
+
+/// Adds the compliance of a row to its place on the diagonal of A.
+void IslandRows::regularize(Row& row, double& diagonal) const {
+  assert(diagonal >= 0);
+  if (diagonal <= kSmallestInverseMass) row.rhs = row.pushRhs = 0;
+  diagonal += settings_.cfm / dt_ + row.compliance;
+  if (row.isRigidContact) diagonal *= 1 + kContactCompliance;
+}
+
+void IslandRows::listBoundedEnds(std::span<const int> numbers, std::vector<BlockMatrix::BoundedEnd>& list) const {
+  list.clear();
+  for (std::size_t i = 0; i < endCount_; ++i) {
+    list.push_back({numbers[static_cast<std::size_t>(ends_[i].row)], ends_[i].body});
+  }
+}
+
+void IslandRows::applyEquations(const JointOrder& order, const BlockMatrix& A, const double* x, const double* xPush) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const int body = static_cast<int>(i);
+    blocks_.apply(body, order, A, x, bodies_[i].change);
+    if (xPush != nullptr) blocks_.apply(body, order, A, xPush, bodies_[i].push);
+  }
+}
+
+void IslandRows::apply(std::span<const double> impulses, std::span<const double> pushes) {
+  for (const RowEnd& end : ends()) {
+    Body& body = bodies_[static_cast<std::size_t>(end.body)];
+    const auto row = static_cast<std::size_t>(end.row);
+    addTimes(body.change, end.response, impulses[row]);
+    if (row < pushes.size()) addTimes(body.push, end.response, pushes[row]);
+  }
+  for (const Body& body : bodies_) {
+    const auto& v = body.velocity;
+    const auto& d = body.change;
+    body.body->setLinearVelocity({v[0] + d[0], v[1] + d[1], v[2] + d[2]});
+    body.body->setAngularVelocity({v[3] + d[3], v[4] + d[4], v[5] + d[5]});
+    if (!pushes.empty()) applyPush(body);
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    btManifoldPoint& point = contacts_[i].point;
+    const std::size_t friction = static_cast<std::size_t>(unfrictionalRows_) + 2 * i;
+    point.m_appliedImpulse = impulses[static_cast<std::size_t>(jointRows_) + i];
+    point.m_appliedImpulseLateral1 = impulses[friction];
+    point.m_appliedImpulseLateral2 = impulses[friction + 1];
+  }
+  measure(impulses);
+}
+
+/// Moves the body by its push velocity over the step.
+void IslandRows::applyPush(const Body& body) const {
+  const auto& p = body.push;
+  const btVector3 linear = roundedVelocity(btVector3(p[0], p[1], p[2]));
+  const btVector3 angular = roundedVelocity(btVector3(p[3], p[4], p[5])) * kPushRotationErp;
+  const btVector3 turn = angular * dt_;
+  btTransform& X = body.body->getWorldTransform();
+  if (turn.length2() >= kSmallPushRotation * kSmallPushRotation) {
+    X = moved(X, linear, angular, dt_);
+    return;
+  }
+  X.setOrigin(X.getOrigin() + linear * dt_);
+  // R += [turn] R, to first order: R is a rotation but for 1e-6, and the next integration normalizes it
+  btMatrix3x3& R = X.getBasis();
+  for (int column = 0; column < 3; ++column) {
+    const btVector3 axis = R.getColumn(column);
+    const btVector3 turned = axis + turn.cross(axis);
+    for (int k = 0; k < 3; ++k) R[k][column] = turned[k];
+  }
+}
+
+/// Tells measured joints the sum of their rows' forces, J^T x / dt, on the child.
+void IslandRows::measure(std::span<const double> impulses) const {
+  for (std::size_t i = 0; i < measured_.size();) {
+    Joint& joint = *measured_[i].joint;
+    btVector3 force(0, 0, 0), torque(0, 0, 0);
+    for (; i < measured_.size() && measured_[i].joint == &joint; ++i) {
+      const double rowForce = impulses[measured_[i].row] / dt_;
+      force += measured_[i].content.linear * rowForce;
+      torque += measured_[i].content.childAngular * rowForce;
+    }
+    joint.setReaction(force, torque);
+  }
+}
+
+}  // namespace pongsim::physics
