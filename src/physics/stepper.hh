@@ -130,6 +130,7 @@ class Stepper {
   /// stays in the processor's cache.
   void solveIslands(const Neighbourhoods::Members& members, const Touching& touching, std::size_t first,
                     std::size_t end, std::size_t worker);
+  void prefetchIsland(const Neighbourhoods::Members& members, const Touching& touching, std::size_t island) const;
   void prepareIsland(const Neighbourhoods::Members& members, const Touching& touching, std::size_t island,
                      Scratch& scratch);
   void finishIsland(const Neighbourhoods::Members& members, const Touching& touching, const Solved& solved,

@@ -1,5 +1,7 @@
 #include "physics/contacts/collision_detection.hh"
 
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
 #include <cassert>
 
 namespace pongsim::physics {

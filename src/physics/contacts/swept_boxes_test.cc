@@ -1,6 +1,7 @@
 #include "physics/contacts/swept_boxes.hh"
 
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <gtest/gtest.h>
 
 namespace pongsim::physics {

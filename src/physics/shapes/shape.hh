@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/prefetch.hh"
 #include "description/link.hh"
 #include "physics/hulls/hull_store.hh"
 #include "physics/shapes/mesh_shape.hh"
@@ -52,10 +51,6 @@ class LinkShape {
   const Part& part(std::size_t collision) const { return collisions_[collision]; }
   Part& part(std::size_t collision) { return collisions_[collision]; }
   std::size_t partCount() const { return collisions_.size(); }
-  /// Prefetches the data of the first collision; most links have one.
-  void prefetch() const {
-    if (!collisions_.empty()) base::prefetch(collisions_.front());
-  }
 
   /// Saves or restores the properties of its collisions that can change at run time.
   void transfer(StateArchive& archive);
