@@ -1,5 +1,6 @@
 #include "physics/body.hh"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -13,16 +14,16 @@ namespace pongsim::physics {
 
 namespace {
 
-// beyond these, numbers have lost all meaning for a robot: metres, and metres or radians a second
+// a robot beyond these has exploded [m], [m/s, rad/s]
 constexpr double kLargestPosition = 1e9;
 constexpr double kLargestVelocity = 1e9;
 
-// no link becomes faster than this [m/s], and so stays within the first bound for a while
+// speed that links are limited to [m/s]
 constexpr double kMostSpeed = 1e6;
 
 /// @return The vector with the length `most` where it is longer, and finite.
 btVector3 shortened(const btVector3& vector, double most) {
-  // squares of what is finite need not be
+  // the square of a finite number may be infinite
   const double length = fromBullet(vector).stableNorm();
   return length > most && std::isfinite(length) ? vector * (most / length) : vector;
 }
@@ -74,7 +75,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
   rigid_.setCollisionFlags(flags);
   if (!moves_) return;
 
-  // nothing sleeps: a robot at rest must answer the first push as it would the last
+  // nothing sleeps
   rigid_.setActivationState(DISABLE_DEACTIVATION);
   rigid_.setDamping(description.linearDamping, description.angularDamping);
   rigid_.setFlags(BT_DISABLE_WORLD_GRAVITY);
@@ -91,6 +92,7 @@ void Body::setGravity(const Vector3& gravity) {
 }
 
 void Body::setPose(const Pose& X_WorldLink) {
+  assert(std::abs(X_WorldLink.rotation.squaredNorm() - 1) < 1e-6);
   rigid_.setWorldTransform(toBullet(X_WorldLink * X_LinkBody_));
   rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
   rigid_.updateInertiaTensor();
@@ -99,15 +101,15 @@ void Body::setPose(const Pose& X_WorldLink) {
 void Body::addForces(double dt, bool isHeld) {
   rigid_.applyGravity();
   btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
-  std::optional<Gyration> asked;
-  if (!isRound_) asked = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
-  if (!asked) {
+  std::optional<Gyration> gyroscopic;
+  if (!isRound_) gyroscopic = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
+  if (!gyroscopic) {
     rigid_.updateInertiaTensor();
     return;
   }
-  rigid_.applyTorque(asked->torque);
-  // Bullet makes the inertia of where the body is
-  const btMatrix3x3 now = std::exchange(basis, asked->R_WorldAhead);
+  rigid_.applyTorque(gyroscopic->torque);
+  // Bullet computes the inertia for the current orientation, so that is replaced for a moment
+  const btMatrix3x3 now = std::exchange(basis, gyroscopic->R_WorldAhead);
   rigid_.updateInertiaTensor();
   basis = now;
 }

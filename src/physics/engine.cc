@@ -116,7 +116,7 @@ void Engine::Parts::grow() {
     for (world::Slot link = firstLink; link < entities.links().size(); ++link) {
       bodies.push_back(arena.make<Body>(entities, link, gravity, hulls, shared));
     }
-    // before a body comes: who may touch it is asked then
+    // before bodies are added, because their pairs are filtered then
     filter.grow(entities.joints().size());
     for (world::Slot link = firstLink; link < bodies.size(); ++link) take(*bodies[link]);
     addJoints();
@@ -126,7 +126,7 @@ void Engine::Parts::grow() {
     shorten(firstLink, firstJoint, movingBefore);
     throw;
   }
-  // last, for it loses contacts
+  // last, because it discards contacts
   for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
     stepper.collisions().separate(joints[slot]->parent(), joints[slot]->child());
   }
@@ -161,7 +161,7 @@ void Engine::Parts::take(Body& body) {
   if (body.moves() || body.collides()) stepper.collisions().add(body.rigid(), static_cast<int>(body.id().value));
 }
 
-// those of all new links at once, which are worked out side by side
+// all at once, because they are computed in parallel
 void Engine::Parts::prepareHulls() {
   std::vector<HullRequest> requests;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
@@ -198,7 +198,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
       return bodies[link]->id() == touch.linkA || bodies[link]->id() == touch.linkB;
     });
   });
-  // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
+  // removed bodies must live until their broad-phase handles have been checked below
   for (const world::Slot slot : removal.links) scratch.gone.push_back(std::move(bodies[slot]));
   world::eraseSlots(bodies, removal.links);
   renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
@@ -273,7 +273,7 @@ void Engine::Parts::renumber() {
 }
 
 void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) {
-  // those that have gone know their old slots still
+  // removed ones still have their old slots
   const auto kept = std::ranges::lower_bound(moving, firstLink, {}, &Body::link);
   const auto firstMember = static_cast<std::size_t>(kept - moving.begin());
   moving.erase(kept, moving.end());
@@ -366,7 +366,7 @@ void Engine::grow() { parts_->grow(); }
 void Engine::remove(const world::Removal& removal) { parts_->remove(removal); }
 
 void Engine::reset() {
-  // by and by: two of them take twice the memory
+  // one after the other, because two at a time take twice the memory
   const world::Entities& entities = parts_->entities;
   const Settings settings = parts_->settings;
   parts_.reset();

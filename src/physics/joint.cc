@@ -32,7 +32,7 @@ int heldTurns(JointType type) {
   return type == JointType::kPrismatic || type == JointType::kFixed ? 3 : 2;
 }
 
-// turns x into the joint's first axis: y and z are then the held directions
+// rotates x to the joint's first axis, so that y and z are the constrained directions
 Quaternion turnOf(const description::Joint& joint) {
   if (joint.axes.empty()) return rotationBetween(Vector3::UnitX(), Vector3::UnitZ());
   return rotationBetween(Vector3::UnitX(), joint.axes.front().xyz);
@@ -161,7 +161,7 @@ void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
   axis.motor.active = false;
   axis.limit.active = false;
 
-  // a spring: explicit, and never stiffer than the step can follow
+  // an explicit spring, no stiffer than is stable at this step
   double force = axis.force;
   axis.force = 0;
   if (description.springStiffness > 0) {
@@ -182,7 +182,7 @@ void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
     axis.motor = {true, 0, -impulse, impulse};
   }
 
-  // a limit has a say where this step could reach it; `reach` leaves room for what the step's forces add
+  // a limit has a row if this step could reach it; the 1 in `reach` allows for what the forces add to the velocity
   const double reach = (std::abs(axis.velocity) + 1) * 2 * dt;
   if (axis.position < description.lower + reach) {
     axis.limit = {true, description.lower - axis.position, 0, kInfinity};
@@ -295,7 +295,7 @@ double Joint::offset(const Frames& frames) const {
 std::array<double, 2> Joint::angles(const Frames& frames) const {
   const btMatrix3x3& parent = frames.X_WorldParent.getBasis();
   const btMatrix3x3& child = frames.X_WorldChild.getBasis();
-  // how far the second axis has turned about the first, and against what the first has about the second
+  // the rotation of the second axis about the first, and the negative of that of the first about the second
   const double first = angleAboutX(frames.axes[1] * parent) - angleAboutX(secondAxis_);
   const btVector3 start = btVector3(1, 0, 0) - secondAxis_.x() * secondAxis_;
   const btVector3 now = frames.axes[0] * child;

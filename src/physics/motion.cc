@@ -9,7 +9,7 @@ namespace pongsim::physics {
 namespace {
 
 constexpr double kMostTurn = std::numbers::pi / 4;
-// slower than that [rad/s] the sine of the way in a step is the way, for any step
+// below this [rad/s], the sine of half the angle of a step is the angle itself, for any step
 constexpr double kSlow = 0.001;
 
 }  // namespace
@@ -23,7 +23,7 @@ btQuaternion turnAbout(const btVector3& axis, double angle) {
 // as btTransformUtil::integrateTransform has it, which asks the C library for the sine
 btTransform moved(const btTransform& now, const btVector3& linear, const btVector3& angular, double dt) {
   btTransform then(now.getBasis(), now.getOrigin() + linear * dt);
-  // the way by a quaternion would change the matrix by a bit
+  // converting to a quaternion and back would change a bit of the matrix
   if (angular.isZero()) return then;
   const double square = angular.length2();
   double speed = square > SIMD_EPSILON ? btSqrt(square) : 0;

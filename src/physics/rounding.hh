@@ -6,11 +6,11 @@
 
 namespace pongsim::physics {
 
-/// Velocities are multiples of that [m/s, rad/s]: far less than what is known of them, but what rests so has the same
-/// ones after each step, where the rounding of sums that cancel would make it tremble.
+/// Velocities are rounded to multiples of this [m/s, rad/s]. That is far below their accuracy, but without it the
+/// rounding errors of sums that cancel would change the bits of a resting body in each step.
 inline constexpr double kRounded = 0x1p-50;
 
-/// @return The nearest such multiple. What is added to and taken from a number, rounds it to the last bit of their sum.
+/// @return The nearest such multiple: adding and subtracting a large number drops the bits below the sum's last one.
 inline double roundedVelocity(double value) {
   constexpr double kShift = 1.5 * 0x1p52 * kRounded;
   constexpr double kLargest = 0x1p50 * kRounded;

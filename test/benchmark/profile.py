@@ -18,14 +18,13 @@ COUNTS = [int(each) for each in sys.argv[2:]] or [1, 10, 50, 200, 1000]
 # the first pattern that matches counts
 PARTS = [
     ("LCP", r"physics::(Lcp|ReducedLcp|.*::(eliminate|substitute)[A-Z]|eliminate|substitute)"),
-    ("rows", r"physics::(GroupRows|BodyCoupling|.*RowEnd|DirectSolver|GroupSolver|ContactSolver|"
-             r"Joint::(getInfo|add|Row)|pointSurface|settlePoint|.*[fF]riction|.*bend|.*restitution|bounce)"
-             r"|SequentialImpulse"),
-    ("grouping", r"GroupedWorld::(gather|form|find)|physics::(Groups|Neighbourhoods|Rest|PieceLimits)"),
+    ("rows", r"physics::(IslandRows|BodyCoupling|.*RowEnd|DirectSolver|IslandSolver|GaussSeidel|SolverContact|"
+             r"Joint::(rows|add|Row)|pointSurface|settlePoint|.*[fF]riction|.*chordVelocity|.*restitution|bounce)"),
+    ("islands", r"Stepper::(gather|form|find)|physics::(Islands|Neighbourhoods|Rest|PieceLimits)"),
     ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|SweptBoxes|BroadPhase|ContactFilter"),
     ("narrow phase", r"Algorithm|Manifold|Dispatcher|Shape|btGjk|btVoronoi|HullOnPlane|combine|ContactAdded|collide"
                      r"|forgetRolled|Surface"),
-    ("integration", r"GroupedWorld::|btTransformUtil|integrate|updateInertia|gyration|Gyration|Turn|addForces|"
+    ("integration", r"Stepper::|btTransformUtil|integrate|updateInertia|gyration|Gyration|Turn|addForces|"
                     r"btRigidBody|move|btMatrix|btQuaternion|sincos|btTransform|Joint::|Body::"),
     ("systems", r"diff_drive|DiffDrive|System|systems|Handle|handles|Transport|transport|google|msgs|Odometry"),
     ("bookkeeping", r"pongsim::|bt[A-Z]"),

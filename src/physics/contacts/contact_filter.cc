@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "physics/body.hh"
 
@@ -44,6 +45,7 @@ void ContactFilter::grow(std::size_t joints) {
 }
 
 bool ContactFilter::mayTouch(world::Slot a, world::Slot b) const {
+  assert(a < entities_.links().size() && b < entities_.links().size());
   const world::LinkRecord& linkA = entities_.links()[a];
   const world::LinkRecord& linkB = entities_.links()[b];
   if (!isMoving(linkA) && !isMoving(linkB)) return false;

@@ -3,6 +3,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
+#include <cassert>
+#include <functional>
 #include <limits>
 
 #include "physics/contacts/dispatcher.hh"
@@ -38,8 +40,9 @@ void limitContacts(btPersistentManifold& manifold, long long otherwise) {
   }
 }
 
-// The deepest point stays, and then always the one that is farthest from those that stay: they shall bear the body.
+// Keeps the deepest point, and then repeatedly the one that is farthest from those kept, so that they support the body.
 std::size_t PieceLimits::limit(std::span<Touch> touches, long long otherwise) {
+  assert(std::ranges::is_sorted(touches, std::less<>()));
   bool isOneEmpty = false;
   for (auto first = touches.begin(); first != touches.end();) {
     const auto end =
@@ -74,7 +77,7 @@ bool PieceLimits::keepSpread(std::span<const Touch> touches, std::size_t most) {
     }
     next = std::ranges::max_element(points_, {}, &Point::distance);
   }
-  // from behind, for the last one of a manifold takes the place of one that goes
+  // backwards, because the last point of a manifold takes the place of a removed one
   bool isOneEmpty = false;
   for (auto point = points_.rbegin(); point != points_.rend(); ++point) {
     if (!point->isKept) point->manifold->removeContactPoint(point->index);

@@ -8,11 +8,11 @@
 
 namespace pongsim::physics {
 
-/// Leaves the deepest points of a manifold, as many as its two collisions may touch at.
-/// @param most Where neither says how many; negative: no limit.
+/// Removes the shallowest points of a manifold beyond the maximum of its two collisions.
+/// @param most The maximum if neither sets one; negative: no limit.
 void limitContacts(btPersistentManifold& manifold, long long most);
 
-/// Likewise of all manifolds that two collisions have together, for they may touch with many of their pieces. Keeps its
+/// Likewise for all manifolds that two collisions have together, because they may touch with many pieces. Keeps its
 /// memory.
 class PieceLimits {
  public:

@@ -18,7 +18,7 @@ namespace pongsim::physics {
 
 namespace {
 
-// below this sine of the angle to the normal, a direction is none of the surface
+// a direction whose angle to the normal has a smaller sine has no direction along the surface
 constexpr double kLeastTangentSine = 1e-3;
 
 /// @return The collision that a point belongs to; null for a body that is not ours.
@@ -49,7 +49,7 @@ std::optional<btVector3> alongSurface(const btVector3& direction, const btVector
   return tangent / length;
 }
 
-/// How a surface runs along at a point: a unit vector in the tangent plane, and how fast that way [m/s].
+/// The motion of a surface at a point: a unit vector in the tangent plane, and the speed [m/s].
 struct Run {
   btVector3 direction;
   double speed;
@@ -67,15 +67,15 @@ std::optional<Run> runOf(const LinkShape::Part& part, const btCollisionObject& o
   if (!part.motion->center) return Run{direction, part.motion->speed};
   const btVector3 arm = position - toBullet(*part.motion->center);
   const btVector3 tangent = inwards.cross(arm);
-  // at the centre itself nothing runs
+  // the centre itself does not move
   if (tangent.length() <= kLeastTangentSine * arm.length()) return Run{direction, 0};
   const double along = direction.dot(tangent);
   const double sign = along > 0 ? 1 : along < 0 ? -1 : 0;
   return Run{tangent.normalized(), sign * part.motion->speed};
 }
 
-/// Turns friction along the surface that runs, and says how fast.
-/// @return Whether one does.
+/// Sets the direction and velocities of friction on moving surfaces.
+/// @return Whether any surface moves.
 bool takeAlong(DirectedFriction& friction, const btPersistentManifold& manifold, const btManifoldPoint& point,
                const LinkShape::Part& a, const LinkShape::Part& b) {
   const btVector3& normal = point.m_normalWorldOnB;
@@ -83,7 +83,7 @@ bool takeAlong(DirectedFriction& friction, const btPersistentManifold& manifold,
   const auto runB = runOf(b, *manifold.getBody1(), point.getPositionWorldOnB(), -normal);
   if (!runA && !runB) return false;
   friction.direction = runA ? runA->direction : runB->direction;
-  // bodies and surfaces together are at rest against each other: vA + uA = vB + uB
+  // no sliding between the surfaces: vA + uA = vB + uB
   btVector3 wanted(0, 0, 0);
   if (runB) wanted += runB->direction * runB->speed;
   if (runA) wanted -= runA->direction * runA->speed;
@@ -92,7 +92,7 @@ bool takeAlong(DirectedFriction& friction, const btPersistentManifold& manifold,
   return true;
 }
 
-// below that speed nothing bounces, where no file says otherwise [m/s]
+// default of the speed below which nothing bounces [m/s]
 constexpr double kBounceThreshold = 0.1;
 
 // A patch that is pressed as a ball on a plane (Hertz) and slides all over resists by 3 pi / 16 of radius, coefficient

@@ -9,27 +9,26 @@ class btPersistentManifold;
 
 namespace pongsim::physics {
 
-/// Friction that is not the same in all directions of a surface.
+/// Friction that depends on the direction along the surface.
 struct DirectedFriction {
   /// Coefficients along the first direction and across it.
   double mu = 0;
   double mu2 = 0;
-  /// How fast the surfaces slip along these by each newton of friction [m/s/N].
+  /// Slip velocity along these per newton of friction [m/s/N].
   double slip1 = 0;
   double slip2 = 0;
   /// The first one, a unit vector of the world in the tangent plane.
   btVector3 direction;
-  /// Velocity of the first body against the second one that friction draws them to, along the two directions [m/s]:
-  /// what surfaces that run along ask for.
+  /// Velocity of the first body relative to the second that friction acts towards, along the two directions [m/s]; not
+  /// zero for moving surfaces.
   double motion1 = 0;
   double motion2 = 0;
 };
 
-/// As Fortress's engine does: of two coefficients the smaller one, of two slips the sum; the first direction is `fdir1`
-/// of the collision that has one, where both have that of the one with the smaller `mu2`, and where none has z of the
-/// world, or x where that is the normal, each along the surface. Where a surface runs along, that is the first
-/// direction.
-/// @return Nothing where friction is the same in all directions and nothing slips or runs along.
+/// Combines the friction of two surfaces like Fortress's engine: the smaller coefficients and the sums of the slips.
+/// The first direction is that of the moving surface, if any; else `fdir1` of the collision that has one, of two the
+/// one with the smaller `mu2`; else the world's z, or x if z is the normal. It is projected onto the surface.
+/// @return Nothing if friction is the same in all directions and nothing slips or moves.
 std::optional<DirectedFriction> directedFriction(const btPersistentManifold& manifold, const btManifoldPoint& point);
 
 /// How two surfaces act on each other at a point, beside friction along them. Fortress's engine has but the

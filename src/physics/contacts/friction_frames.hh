@@ -16,7 +16,7 @@ class FrictionFrames {
   /// @param bodies One a link, in the order of their slots.
   void find(std::span<const base::Arena::Pointer<Body>> bodies, world::Slot first, const world::Entities& entities);
 
-  /// Forgets those of links that go, which know their slots still.
+  /// Forgets those of links that are removed but still have their slots.
   /// @param links Their slots, in ascending order.
   void remove(const std::vector<world::Slot>& links);
 
@@ -28,8 +28,8 @@ class FrictionFrames {
   void clear() { frames_.clear(); }
   bool empty() const { return frames_.empty(); }
 
-  /// Turns the directions with their frames: before bodies move, on one thread, for the other link may be of another
-  /// island.
+  /// Rotates the directions with their frames. To be called on one thread before bodies move, because the other link
+  /// may be in another island.
   void turn();
 
  private:

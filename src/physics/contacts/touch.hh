@@ -7,7 +7,7 @@ class btPersistentManifold;
 
 namespace pongsim::physics {
 
-/// The number of a body that forces do not move; those of others are their places among such bodies.
+/// The number of a body that forces do not move. Those that they move are numbered in the order of their slots.
 inline constexpr int kNoMember = -1;
 
 /// Two parts of bodies that touch.
@@ -20,7 +20,7 @@ struct Touch {
   int a;
   int b;
 
-  /// As bodies, points of contact and joints are always ordered, whatever was found first.
+  /// By slots, so that the order does not depend on what was found first.
   bool operator<(const Touch& other) const { return std::tie(links, parts) < std::tie(other.links, other.parts); }
 };
 

@@ -9,26 +9,26 @@
 
 namespace pongsim::physics {
 
-/// Which bodies may have to do with each other in a step: those connected by joints, and by candidate pairs, whose
-/// boxes in the broad phase meet. What touches in a step is a part of that, so a neighbourhood can make its whole step
-/// without looking at another one. They come in batches that fit into a processor's cache; those with many pairs are
-/// crowds, which are kept together, apart from the batches.
+/// Neighbourhoods: sets of bodies connected by joints or by candidate pairs of the broad phase. Bodies of different
+/// neighbourhoods cannot touch in this step, so each can make its whole step alone; its islands are parts of it. They
+/// come in batches that fit into a processor's cache. Those with many pairs are crowds, kept together behind the
+/// batches.
 class Neighbourhoods {
  public:
-  /// With more pairs than that it is a crowd.
+  /// A neighbourhood with more pairs than this is a crowd.
   static constexpr std::size_t kMostPairs = 64;
-  /// How many members a batch has before it is full. A robot on two wheels has ten or so.
+  /// Number of members at which a batch is full. A robot on two wheels has about ten.
   static constexpr std::size_t kFullBatch = 160;
 
-  /// Numbers of bodies that forces move, of pairs and of joints: by neighbourhoods, in each in ascending order.
+  /// Numbers of moving bodies, pairs and joints: neighbourhood by neighbourhood, in ascending order in each.
   struct Members {
     std::span<const std::uint32_t> bodies;
     std::span<const std::uint32_t> pairs;
     std::span<const std::uint32_t> joints;
   };
 
-  /// @param pairs Each of at least one body that forces move, as `joints` are.
-  /// @param batches There are to be about as many, or more where these would be too large.
+  /// @param pairs Each has at least one body that forces move, as `joints` have.
+  /// @param batches About so many are wanted; there are more if these would be too large.
   void form(std::size_t bodies, std::span<const Islands::Ends> pairs, std::span<const Islands::Ends> joints,
             std::size_t batches);
 
@@ -43,7 +43,7 @@ class Neighbourhoods {
   }
 
  private:
-  /// How many members stand before a batch.
+  /// Number of members before a batch.
   struct Start {
     std::size_t bodies;
     std::size_t pairs;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,11 +10,10 @@
 
 namespace pongsim::physics {
 
-/// A symmetric and positive definite matrix with two right-hand sides, of which only blocks that are not zero have
-/// memory: those of joints that are coupled, in the order in which they are eliminated, and behind them rows with
-/// bounds, each of which is coupled with all others behind it.
+/// A sparse, symmetric and positive definite matrix with two right-hand sides. It stores the nonzero blocks of coupled
+/// joints, in the order of elimination, and behind them the bounded rows, which are dense among each other.
 ///
-/// Rows are known by the place of their joint in the order, and their number in it; those with bounds by
+/// A row is identified by the place of its joint in the order and its number in the joint; a bounded row by
 /// `boundedPlace()` and `boundedNumber()`.
 class BlockMatrix {
  public:
@@ -22,16 +22,16 @@ class BlockMatrix {
     int row;
     int body;
   };
-  /// Where the rows of one place meet the columns of another, in row-major order, `stride` numbers from row to row.
+  /// The rows of one place and the columns of another, in row-major order, `stride` numbers from row to row.
   struct Block {
     double* data;
     std::size_t stride;
   };
 
-  /// Joints with more equations than that are none that `eliminate` takes.
+  /// Maximum number of equations of a joint.
   static constexpr int kMostBlockRows = 6;
 
-  /// A joint that an eliminated one is coupled with, and where the latter's rows have its columns.
+  /// A joint that is coupled with an eliminated one, and its first column in the latter's rows.
   struct Later {
     int place;
     int column;
@@ -61,7 +61,7 @@ class BlockMatrix {
   /// @return False where a joint has too many equations.
   bool begin(const JointOrder& order, std::span<const int> rows, int bounded, std::span<const BoundedEnd> ends);
 
-  /// @return Multiplications that `eliminate` takes, about.
+  /// @return About how many multiplications `eliminate` takes.
   double work() const;
 
   /// @return The place of rows with bounds.
@@ -70,7 +70,7 @@ class BlockMatrix {
   int boundedNumber(int row) const { return numberOf_[static_cast<std::size_t>(row)]; }
 
   /// @return The block of the rows of `first` and the columns of `second`, which does not stand before it; where both
-  /// are one, what is before the diagonal is not looked at. Only for what is coupled.
+  /// are one, what is before the diagonal is not read. Only for coupled places.
   Block block(int first, int second) {
     const Panel& panel = panels_[static_cast<std::size_t>(first)];
     double* const rows = data_.data() + panel.data;
@@ -78,6 +78,7 @@ class BlockMatrix {
     if (second == boundedPlace()) return {rows + panel.boundedColumn - panel.firstBounded, panel.width};
     const Later* later = &later_[static_cast<std::size_t>(panel.firstLater)];
     while (later->place != second) ++later;
+    assert(later < later_.data() + panel.endLater);
     return {rows + later->column, panel.width};
   }
   /// @return Both right-hand sides of a row.
@@ -91,7 +92,8 @@ class BlockMatrix {
   /// @return How many numbers x has, some of which are of no row.
   std::size_t size() const { return size_; }
 
-  /// Takes the joints out. The rows with bounds are left, as `UpperRows` with the right-hand sides behind them.
+  /// Eliminates the joints. What is left of the bounded rows is their Schur complement, with the right-hand sides
+  /// behind.
   /// @return False where the matrix is not positive definite.
   bool eliminate();
   UpperRows bounded();

@@ -1,6 +1,7 @@
 #include "physics/lcp/elimination.hh"
 
 #include <algorithm>
+#include <cassert>
 
 #include "physics/lcp/dot.hh"
 #include "physics/lcp/four.hh"
@@ -133,7 +134,7 @@ template <std::size_t kCount>
   }
   Four sums;
   sumUp(a, b, c, d, sums);
-  // what is left of each right-hand side, and what the x of the four count for in it
+  // what remains of each right-hand side, and the coefficients of the four x in it
   double left[4], ofNext[4][4];
   for (std::size_t r = 0; r < 4; ++r) {
     const double* const row = rows + r * width;
@@ -199,6 +200,7 @@ PONGSIM_WIDE bool eliminateColumns(const UpperRows& matrix, std::size_t count, d
 }  // namespace
 
 bool eliminate(const UpperRows& matrix, std::size_t count, double* inverseD) {
+  assert(count <= matrix.rows && matrix.rows <= matrix.width && matrix.width % 4 == 0);
   return eliminateColumns(matrix, count, inverseD);
 }
 

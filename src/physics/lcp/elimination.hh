@@ -4,10 +4,10 @@
 
 namespace pongsim::physics {
 
-/// A symmetric matrix with columns behind it, row after row, of which what stands before the diagonal is not looked at.
+/// The upper triangle of a symmetric matrix, with further columns behind it, in row-major order.
 struct UpperRows {
   double* data = nullptr;
-  /// Of a row: a multiple of four, what is not used being zero.
+  /// Numbers per row: a multiple of four, of which the unused ones are zero.
   std::size_t width = 0;
   std::size_t rows = 0;
 
@@ -17,9 +17,9 @@ struct UpperRows {
 /// @return The next multiple of four, which is as wide as rows must be for so many columns.
 constexpr std::size_t widthFor(std::size_t columns) { return (columns + 3) / 4 * 4; }
 
-/// Takes the first `count` rows out of all rows behind them: what is left behind them is the Schur complement, with its
-/// right-hand sides, and the rows themselves become D L^T. Rows that do not know of each other cost nothing. The order
-/// of all sums is the same on every processor.
+/// Eliminates the first `count` rows from those behind them: these become the Schur complement, with its right-hand
+/// sides, and the first rows become D L^T. Rows that are not coupled cost nothing. The order of all sums is the same on
+/// every processor.
 ///
 /// Reference: G. H. Golub, C. F. Van Loan, Matrix Computations, 3.2 (outer products) and 4.1 (L D L^T).
 /// @param inverseD Of `count` numbers: 1 / D.

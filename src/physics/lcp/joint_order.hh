@@ -10,10 +10,10 @@ namespace pongsim::physics {
 /// The moving bodies that a joint acts on, by their numbers in the island; -1 for none.
 using JointBodies = std::array<int, 3>;
 
-/// The order in which the joints of an island are eliminated, and which of them are coupled by then. Joints are coupled
-/// that act on the same body, and two that an eliminated one was coupled with. The order is one of minimum degree,
-/// which takes a tree from its leaves to its root, so that joints far from each other stay apart and the cost grows
-/// with their number; loops add little. Joints of a subtree are next to each other.
+/// The order in which the joints of an island are eliminated, and which of them are coupled then. Two joints are
+/// coupled if they act on the same body, or if both were coupled with an eliminated joint (fill-in). The order is one
+/// of minimum degree: it takes a tree from its leaves to its root, without fill-in, so the cost is linear in the number
+/// of joints; loops add little. Joints of a subtree are next to each other.
 ///
 /// Reference: A. George, J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 5; J.
 /// W. H. Liu, The role of elimination trees in sparse factorization, SIAM Journal on Matrix Analysis 11, 1990.
@@ -47,10 +47,10 @@ class JointOrder {
   bool isDeep_ = false;
 };
 
-/// @return Whether all joints act on one body, as those of a robot act on its chassis: no order is better than another.
+/// @return Whether all joints act on one body, such as a robot's chassis: then no order is better than another.
 bool haveOneHub(std::span<const JointBodies> joints);
 
-/// Orders that were found, so that an island which stays as it is finds its own again.
+/// A cache of orders, so that an island that keeps its joints finds its order again.
 class JointOrders {
  public:
   const JointOrder& find(std::span<const JointBodies> joints);

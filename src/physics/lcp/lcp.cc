@@ -1,6 +1,7 @@
 #include "physics/lcp/lcp.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -17,10 +18,10 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Up to that many rows, elimination from scratch is cheaper than keeping factors up to date.
 constexpr int kFewRows = 32;
 
-/// Rounds after which it is doubtful whether more help.
+/// Rounds after which more seldom help.
 constexpr int kMostRounds = 8;
 
-/// Pivots after which a row goes in circles.
+/// Pivots after which a row is cycling.
 int mostPivots(int rows) { return 30 + 3 * rows; }
 
 }  // namespace
@@ -160,8 +161,8 @@ void Lcp::listViolations(int end) {
   }
 }
 
-/// Of two rows that go beyond their bounds against each other, while both together stay within them, as those of the
-/// two wheels on an axle do, one at its bound relieves the other: that of the narrower bounds.
+/// If two rows exceed their bounds in opposite directions, but their sum stays within both bounds, as with the two
+/// wheels of an axle, setting one to its bound relieves the other. So only the one with the narrower bounds is set.
 void Lcp::dropRelieved() {
   const auto isRelieved = [this](int row, State state, int other, State otherState) {
     const bool isOpposed = (state == State::kLowest && otherState == State::kHighest) ||
@@ -197,6 +198,8 @@ bool Lcp::solveByPivots() {
 }
 
 void Lcp::begin(const Problem& problem, double* x) {
+  assert(problem.rows >= 0 && problem.stride >= problem.rows);
+  assert(std::is_partitioned(problem.normalOf, problem.normalOf + problem.rows, [](int row) { return row < 0; }));
   problem_ = problem;
   x_ = x;
   rows_ = static_cast<std::size_t>(problem.rows);
@@ -216,7 +219,7 @@ void Lcp::begin(const Problem& problem, double* x) {
   bound_.reserve(rows_);
 }
 
-// equations: they hold whatever the others do
+// equations are free at all times
 bool Lcp::solveUnbounded() {
   freed_.clear();
   for (int row = 0; row < problem_.rows; ++row) {
@@ -235,7 +238,7 @@ void Lcp::setFrictionBounds() {
   for (std::size_t i = 0; i < rows_; ++i) {
     if (problem_.normalOf[i] < 0) continue;
     const double normal = std::abs(x_[problem_.normalOf[i]]);
-    // a factor without end is no friction without a normal force
+    // infinity times zero: without a normal force there is no friction
     lowest_[i] = normal > 0 ? lowest_[i] * normal : 0;
     highest_[i] = normal > 0 ? highest_[i] * normal : 0;
   }
@@ -402,9 +405,9 @@ void Lcp::setBound(int row, State state) {
   x_[i] = state == State::kLowest ? lowest_[i] : highest_[i];
 }
 
-/// Takes a row and column out of the factored matrix. What stands behind them gets what they had taken from it: an
-/// update of rank one. P. E. Gill, G. H. Golub, W. Murray, M. A. Saunders, Methods for modifying matrix factorizations,
-/// Mathematics of Computation 28, 1974, method C1.
+/// Removes a row and column from the factorization; the rows behind get an update of rank one. P. E. Gill, G. H. Golub,
+/// W. Murray, M. A. Saunders, Methods for modifying matrix factorizations, Mathematics of Computation 28, 1974, method
+/// C1.
 void Lcp::dropFactor(std::size_t place) {
   const std::size_t end = free_.size();
   double alpha = D_[place];

@@ -5,11 +5,11 @@
 
 namespace pongsim::physics {
 
-/// Solves mixed linear complementarity problems directly. Tried first is that no bound counts, which is a system of
-/// equations; then all rows at a time that do not meet their condition go to their bounds or are let go (block
-/// principal pivoting), which seldom takes more than a few rounds. Where it takes too many, Dantzig's method follows:
-/// row after row is driven to where it meets its condition, while those before it keep theirs. Both come to the same.
-/// Holds nothing but memory from one problem to the next.
+/// Solves mixed linear complementarity problems directly. First by block principal pivoting: assume that no bound is
+/// active and solve the equations; then set all x outside their bounds to these, free all at a bound whose w has the
+/// wrong sign, and solve again, which seldom takes more than a few rounds. If it takes too many, by Dantzig's method:
+/// drive row after row to its condition, while those before it keep theirs. The solution is unique, so both find the
+/// same. Keeps nothing but memory from one problem to the next.
 ///
 /// References: J. J. Júdice, F. M. Pires, A block principal pivoting algorithm for large-scale strictly monotone linear
 /// complementarity problems, Computers & Operations Research 21, 1994; R. W. Cottle, G. B. Dantzig, Complementary pivot
@@ -33,19 +33,19 @@ class Lcp {
   };
 
   /// Finds x between its bounds so that w = A x - b is zero where x is between them, not negative where x is at its
-  /// lowest, not positive where it is at its highest. Friction counts with the normal x that the rows before it lead
-  /// to.
+  /// lowest, not positive where it is at its highest. Friction is bounded by the normal x of the problem without
+  /// friction.
   /// @param x Of `rows` numbers.
-  /// @return Whether it did; else `x` makes no sense.
+  /// @return Whether a solution was found; otherwise `x` is undefined.
   bool solve(const Problem& problem, double* x);
 
-  /// As `solve`, where A is that of the problem before, or the first rows of it: what is known of it is used again.
+  /// Like `solve`, if A is that of the last problem, or its first rows: reuses the factorization.
   bool solveWithSameMatrix(const Problem& problem, double* x);
 
  private:
-  /// What a row's x does while another one is driven.
+  /// Whether a row's x is free or at a bound; `kOut`: it is not in the problem yet.
   enum class State { kOut, kFree, kLowest, kHighest };
-  /// How far a row is driven, and what ends that.
+  /// The length of a pivoting step, the row that limits it, and what that row becomes.
   struct Move {
     double length;
     int row;
@@ -83,14 +83,14 @@ class Lcp {
   Problem problem_;
   double* x_ = nullptr;
   std::size_t rows_ = 0;
-  /// There are so few rows that those which are free are eliminated anew in each round.
+  /// Whether there are so few rows that the free ones are eliminated from scratch in each round.
   bool isSmall_ = false;
   std::vector<double> U_;
   std::vector<State> states_;
   std::vector<double> w_;
   std::vector<double> lowest_;
   std::vector<double> highest_;
-  /// By which x and w change for each unit of the way.
+  /// Changes of x and w per unit of the pivoting step.
   std::vector<double> dx_;
   std::vector<double> dw_;
   /// The rows whose x is free, and of A among them the factors: L D L^T, the diagonal of L being ones; and 1/D.

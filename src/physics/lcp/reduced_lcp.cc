@@ -1,5 +1,7 @@
 #include "physics/lcp/reduced_lcp.hh"
 
+#include <cassert>
+
 namespace pongsim::physics {
 
 UpperRows ReducedLcp::begin(int rows) {
@@ -10,6 +12,8 @@ UpperRows ReducedLcp::begin(int rows) {
 }
 
 bool ReducedLcp::solve(const Problem& problem, std::span<double> x) {
+  assert(0 <= problem.equations && problem.equations <= problem.unfrictionalRows);
+  assert(static_cast<std::size_t>(problem.unfrictionalRows) <= rows_ && x.size() >= rows_);
   problem_ = problem;
   equations_ = static_cast<std::size_t>(problem.equations);
   unfrictional_ = static_cast<std::size_t>(problem.unfrictionalRows);

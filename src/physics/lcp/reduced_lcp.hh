@@ -30,9 +30,9 @@ class ReducedLcp {
   /// @return With zeros in all of it; `solve` uses it up.
   UpperRows begin(int rows);
 
-  /// Finds x as `Lcp::solve` does, of what was written to the memory.
+  /// Finds x like `Lcp::solve`, for the problem that was written to the memory.
   /// @param x Of `rows` numbers.
-  /// @return Whether it did; else `x` makes no sense.
+  /// @return Whether a solution was found; otherwise `x` is undefined.
   bool solve(const Problem& problem, std::span<double> x);
 
   /// Finds x for the other right-hand side of the problem that was solved last, without friction.

@@ -46,7 +46,7 @@ Lcp::Problem TreeLcp::rest(int rows, const double* b) const {
   return {rows, A_.data(), count_, b, bounds_.lowest, bounds_.highest, bounds_.normalOf};
 }
 
-/// Writes what was found of the first `rows` with bounds to where they stand in x.
+/// Copies the solution of the first bounded rows to their places in x.
 void TreeLcp::place(int rows, std::span<double> x) const {
   const int bounded = matrix_.boundedPlace();
   for (int row = 0; row < rows; ++row) {

@@ -28,7 +28,7 @@ class TreeLcp {
 
   /// Finds x as `Lcp::solve` does.
   /// @param x Of `matrix().size()` numbers.
-  /// @return Whether it did; else `x` makes no sense.
+  /// @return Whether a solution was found; otherwise `x` is undefined.
   bool solve(const Bounds& bounds, std::span<double> x);
 
   /// Finds x for the other right-hand side of the problem that was solved last, likewise. That of friction is zero.

@@ -37,7 +37,7 @@ PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const 
   }
 }
 
-/// Adds how the rows of `b` answer impulses along those of `a`.
+/// Adds J_b M^-1 J_a^T.
 [[gnu::always_inline]] inline void coupleLanes(const End& a, std::size_t rowsOfA, const End& b, std::size_t end,
                                                double* to, std::size_t stride) {
   for (std::size_t k = 0; k < end; k += 4) {
@@ -52,7 +52,7 @@ PONGSIM_WIDE void respondAll(End& end, const BlockRows::Inertia& inertia, const 
   }
 }
 
-/// All that act on a body, the last of which is `end`.
+/// Of all ends at a body, the last of which is `end`.
 PONGSIM_WIDE void coupleAll(const End* ends, const End& end, const JointOrder& order, const int* rows, BlockMatrix& A) {
   const auto rowsOf = [rows](const End& each) { return static_cast<std::size_t>(rows[each.joint]); };
   const auto add = [&](const End& a, const End& b, const BlockMatrix::Block& block) {
@@ -66,7 +66,7 @@ PONGSIM_WIDE void coupleAll(const End* ends, const End& end, const JointOrder& o
       const int placeOfB = order.placeOf(b.joint);
       const BlockMatrix::Block block = A.block(std::min(placeOfA, placeOfB), std::max(placeOfA, placeOfB));
       if (placeOfA <= placeOfB) add(*a, b, block);
-      // two ends of one row, as gearboxes have them, count both ways
+      // a gearbox may have two ends at one body: their product counts twice on the diagonal
       if (placeOfB <= placeOfA) add(b, *a, block);
     }
     if (a->before < 0) break;

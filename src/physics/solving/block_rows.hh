@@ -10,27 +10,28 @@
 
 namespace pongsim::physics {
 
-/// The equations of joints in trees as rows, those of a joint side by side: `IslandRows` has what they ask for. Holds
-/// nothing but memory from island to island.
+/// The equations of joints in trees: the blocks of J and M^-1 J^T for each joint and body, with the joint's rows as
+/// columns. `IslandRows` has the right-hand sides. Keeps nothing but memory from island to island.
 class BlockRows {
  public:
-  /// As many as there is room for side by side, of which `BlockMatrix` takes fewer.
+  /// Columns of a block; `BlockMatrix` takes fewer.
   static constexpr std::size_t kMostRows = 8;
-  /// Of each row, for one component of a motion (linear, angular).
+  /// A number for each row of a joint.
   using RowValues = std::array<double, kMostRows>;
   using Motion = std::array<double, 6>;
 
-  /// How a joint's rows act on a body: how the body's motion counts for each, and how the body answers an impulse along
-  /// it.
+  /// The rows of a joint at one of its bodies.
   struct End {
+    /// J^T: linear, angular.
     std::array<RowValues, 6> jacobian;
+    /// M^-1 J^T.
     std::array<RowValues, 6> response;
     int joint;
     int body;
     /// The end before it at the same body, -1 for none.
     int before;
   };
-  /// How a body answers impulses and torques, and how it moves.
+  /// M^-1 of a body.
   struct Inertia {
     double inverseMass;
     /// World frame, row after row.
@@ -42,29 +43,28 @@ class BlockRows {
   /// @param ends How many may be added.
   void begin(std::size_t bodies, std::size_t ends);
 
-  /// Adds an end whose directions are zero.
+  /// Adds an end with a zero J.
   End& add(int joint, int body);
-  /// Sets how the body's motion counts for a row.
+  /// Sets J of a row.
   static void set(End& end, std::size_t row, const auto& linear, const auto& angular) {
     for (std::size_t k = 0; k < 3; ++k) {
       end.jacobian[k][row] = linear[k];
       end.jacobian[k + 3][row] = angular[k];
     }
   }
-  /// Finds how the body answers, once the directions are set.
-  /// @return The velocities along the rows.
+  /// Computes M^-1 J^T, once J is set.
+  /// @return J v: the velocities along the rows.
   static RowValues respond(End& end, const Inertia& inertia, const Motion& velocity);
 
-  /// Adds to A what rows of joints at the same body do to each other.
+  /// Adds the products J M^-1 J^T of joints at the same body to A.
   void couple(const JointOrder& order, std::span<const int> rows, BlockMatrix& A) const;
-  /// Likewise what they do to a row with bounds, and it to them.
-  /// @param response Of the body, to an impulse along that row.
+  /// Likewise the products of joints with a bounded row.
+  /// @param response M^-1 J^T of that row, at the body.
   void couple(const JointOrder& order, std::span<const int> rows, int body, const Motion& response, int number,
               BlockMatrix& A) const;
 
-  /// Adds what impulses do to the velocities of bodies.
-  /// @param x As `BlockMatrix` has it.
-  /// @param change Of a body.
+  /// Adds M^-1 J^T x to the velocity change of a body.
+  /// @param x The impulses, as `BlockMatrix` has them.
   void apply(int body, const JointOrder& order, const BlockMatrix& A, const double* x, Motion& change) const;
 
  private:

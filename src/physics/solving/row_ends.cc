@@ -8,18 +8,18 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Four ends that follow each other at a body, or fewer at its end.
+/// Up to four consecutive ends at a body.
 struct Ends {
   std::size_t count;
   std::array<std::size_t, 4> places;
   /// Whether each stands behind the one before in A, and whether they stand side by side.
   bool ascend;
   bool areSideBySide;
-  /// Of each component of their responses; what is beyond their number makes no sense.
+  /// Each component of their responses; those beyond their number are undefined.
   Four responses[6];
 };
 
-/// Turns four times four numbers round: sets the first two numbers of each, then the last two.
+/// Transposes a 4 x 4 matrix: sets its first two rows, then its last two.
 [[gnu::always_inline]] inline void turn(const Loose& a, const Loose& b, const Loose& c, const Loose& d, Four* first,
                                         Four* last) {
   const Four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -98,7 +98,7 @@ void coupleBefore(std::span<const RowEnd> ends, const RowEnd& end, const UpperRo
   for (int i = end.before; i >= 0; i = ends[static_cast<std::size_t>(i)].before) {
     const RowEnd& each = ends[static_cast<std::size_t>(i)];
     const double sum = coupling(each, end);
-    // two ends of one row at a body, as gearboxes have them, count both ways
+    // a gearbox may have two ends at one body: their product counts twice on the diagonal
     A.row(static_cast<std::size_t>(std::min(end.place, each.place)))[std::max(end.place, each.place)] +=
         each.place == end.place ? 2 * sum : sum;
   }

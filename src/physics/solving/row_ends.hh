@@ -9,10 +9,11 @@
 
 namespace pongsim::physics {
 
-/// One end of a row: how the motion of the body there counts for the row (linear, angular), and how the body answers
-/// an impulse along it.
+/// A row's part at one of its bodies.
 struct RowEnd {
+  /// J of the body's velocity: linear, angular.
   std::array<double, 6> jacobian;
+  /// M^-1 J^T: the change of the body's velocity by a unit impulse.
   std::array<double, 6> response;
   int row;
   int body;
@@ -25,7 +26,7 @@ struct RowEnd {
 /// Two numbers side by side.
 using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
 
-/// @return How much velocity along `one` an impulse along `other` gives, at the same body.
+/// @return J1 M^-1 J2^T: the velocity along row `one` by a unit impulse of row `other`, at the same body.
 inline double coupling(const RowEnd& one, const RowEnd& other) {
   const Two* const x = reinterpret_cast<const Two*>(one.jacobian.data());
   const Two* const y = reinterpret_cast<const Two*>(other.response.data());
@@ -40,14 +41,13 @@ inline void addTimes(std::array<double, 6>& sum, const std::array<double, 6>& ea
   for (int i = 0; i < 3; ++i) to[i] += x[i] * factor;
 }
 
-/// Adds to A what an end does to itself and to those before it at the same body, and they to it.
+/// Adds to A = J M^-1 J^T the products of an end with itself and with those before it at the same body.
 void coupleBefore(std::span<const RowEnd> ends, const RowEnd& end, const UpperRows& A);
 
 /// Does the same for all ends of a body after another, four side by side. Keeps its memory.
 class BodyCoupling {
  public:
-  /// Adds to A what the ends of a body do to each other and to themselves. Writes to what stands before A's diagonal,
-  /// too.
+  /// Adds to A the products of all ends of a body with each other and with themselves. Also writes before A's diagonal.
   /// @param last The body's last end, -1 for none; no two of its ends are of one row.
   void couple(std::span<const RowEnd> ends, int last, const UpperRows& A);
 
