@@ -92,7 +92,7 @@ void Body::setGravity(const Vector3& gravity) {
 }
 
 void Body::setPose(const Pose& X_WorldLink) {
-  assert(std::abs(X_WorldLink.rotation.squaredNorm() - 1) < 1e-6);
+  assert(std::abs(X_WorldLink.rotation.squaredNorm() - 1) < 1e-3);
   rigid_.setWorldTransform(toBullet(X_WorldLink * X_LinkBody_));
   rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
   rigid_.updateInertiaTensor();
