@@ -173,11 +173,10 @@ void Bus::receive(Channel& channel, const ParticipantId& sender, Buffer& sample)
     return;
   }
   const bool latched = keepingOf(sample.bytes) != Keeping::kNone;
-  Parcel* parcel = delivery_.takeBytes(sample.capacity());
+  Parcel* parcel = delivery_.take(channel, sample.capacity());
   Buffer& buffer = *parcel->bytes;
   buffer.swapBytes(sample);
   buffer.bytes = buffer.bytes.subspan(kPayloadHeader, message->size());
-  parcel->size = message->size();
   parcel->sender = sender;
   delivery_.deliver(channel, parcel, latched, nullptr);
 }

@@ -99,7 +99,7 @@ TEST_F(BusTest, GivesWhatIsLatchedToWhoComesLater) {
   EXPECT_EQ(transport_.dispatch(), 0);
 }
 
-TEST_F(BusTest, SharesACopyOfWhatIsPublished) {
+TEST_F(BusTest, SharesAMessageAmongItsSubscriptions) {
   Publisher a = node_.advertise<Int32>("/a");
   std::vector<const Int32*> heard;
   const auto note = [&heard](const Int32& message) { heard.push_back(&message); };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "msgs/encoding/bytes.hh"
 #include "transport/deadline.hh"
 #include "transport/dispatch_queue.hh"
 #include "transport/network/endpoint.hh"
@@ -84,22 +83,9 @@ void Delivery::endLater(Inbox& inbox) {
   inbox.queue.waiting = true;
 }
 
-Parcel* Delivery::copyOf(const Channel& channel, const Message& message, std::size_t size) {
-  Parcel* parcel = nullptr;
-  {
-    const WaitingLock lock(mutex);
-    parcel = parcels_.take(channel.spare, size);
-  }
-  if (!parcel->message) parcel->message = newMessage(channel.type);
-  if (parcel->message && msgs::copy(message, *parcel->message)) return parcel;
+Parcel* Delivery::take(const Channel& channel, std::size_t size) {
   const WaitingLock lock(mutex);
-  parcels_.giveBack(parcel);
-  return nullptr;
-}
-
-Parcel* Delivery::takeBytes(std::size_t size) {
-  const WaitingLock lock(mutex);
-  return parcels_.takeBytes(size);
+  return parcels_.take(channel.spare, size);
 }
 
 void Delivery::deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from) {

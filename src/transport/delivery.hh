@@ -39,9 +39,8 @@ class Delivery {
   /// Lets the next `dispatch` end a subscription at once, which may be running.
   void endLater(Inbox& inbox);
 
-  /// @return A parcel with a copy of a message; null if the channel's messages are of another class.
-  Parcel* copyOf(const Channel& channel, const Message& message, std::size_t size);
-  Parcel* takeBytes(std::size_t size);
+  /// @return A parcel for the channel's messages, with a buffer of that size.
+  Parcel* take(const Channel& channel, std::size_t size);
   /// Puts a message into the inboxes that it is for.
   /// @param from Null for another process.
   void deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from);

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include "msgs/encoding/bytes.hh"
 #include "msgs/fields/number_check.hh"
 #include "transport/channel.hh"
 #include "transport/network/endpoint.hh"
@@ -39,10 +38,7 @@ Inbox::Inbox(Channel& itsChannel, DispatchQueue& itsQueue, Function function, co
       function_(std::move(function)),
       guard_(guard),
       queueLength_(std::max<std::size_t>(options.queueLength, 1)),
-      largestNumber_(options.largestNumber) {
-  const bool takesMessages = std::holds_alternative<std::function<void(const Message&)>>(function_) || hearsMessages();
-  if (takesMessages) parsed_ = newMessage(channel.type);
-}
+      largestNumber_(options.largestNumber) {}
 
 Inbox::~Inbox() = default;
 
@@ -56,7 +52,7 @@ bool Inbox::accepts(const PublisherState& publisher) const {
 
 void Inbox::add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) {
   ++added_;
-  waitingBytes_ += parcel->size;
+  waitingBytes_ += parcel->bytes->bytes.size();
   while (size() >= queueLength_ || (size() > 0 && waitingBytes_ > kMostInboxBytes)) dropped.push_back(removeOldest());
   waiting_.push_back({number, this, parcel});
 }
@@ -64,7 +60,7 @@ void Inbox::add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& drop
 Parcel* Inbox::removeOldest() {
   Parcel* oldest = waiting_[first_++].parcel;
   ++dropped_;
-  waitingBytes_ -= oldest->size;
+  waitingBytes_ -= oldest->bytes->bytes.size();
   // reuses the room of dropped ones; amortized, since at least half of the elements are dropped ones
   if (first_ >= size()) {
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
@@ -95,47 +91,37 @@ void Inbox::call(CallGuard::Moment moment, const Call& function) const {
   guard_->call(moment, function);
 }
 
-std::optional<std::string> Inbox::handOver(const Parcel& parcel) {
+std::optional<std::string> Inbox::handOver(Parcel& parcel) {
   constexpr auto kDispatch = CallGuard::Moment::kDispatch;
-  if (parsed_) {
-    const Message* message = nullptr;
-    if (std::optional<std::string> fault = read(parcel, message)) return fault;
-    if (const auto* heard = std::get_if<HeardAtOnce>(&function_)) {
-      const Hearing hearing(channel);
-      if (!ended) call(kDispatch, [&] { (*heard)(*message, nullptr); });
-    } else {
-      call(kDispatch, [&] { std::get<0>(function_)(*message); });
-    }
-    return std::nullopt;
-  }
-  const std::span<const std::byte> bytes = bytesOf(parcel);
-  if (const auto* heard = std::get_if<HeardBytesAtOnce>(&function_)) {
+  const std::span<const std::byte> bytes = parcel.bytes->bytes;
+  if (const auto* received = std::get_if<std::function<void(std::span<const std::byte>)>>(&function_)) {
+    call(kDispatch, [&] { (*received)(bytes); });
+  } else if (const auto* any = std::get_if<std::shared_ptr<const ReceivedOfAnyType>>(&function_)) {
+    call(kDispatch, [&] { (**any)(channel.type, bytes); });
+  } else if (const auto* heard = std::get_if<HeardBytesAtOnce>(&function_)) {
     const Hearing hearing(channel);
     const auto write = [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); };
     if (!ended) call(kDispatch, [&] { (*heard)(bytes.size(), write); });
-  } else if (const auto* any = std::get_if<std::shared_ptr<const ReceivedOfAnyType>>(&function_)) {
-    call(kDispatch, [&] { (**any)(channel.type, bytes); });
   } else {
-    call(kDispatch, [&] { std::get<1>(function_)(bytes); });
+    return handOverMessage(parcel);
   }
   return std::nullopt;
 }
 
-/// Sets `message` to the parcel's content.
-/// @return Why that can't be used, or nothing.
-std::optional<std::string> Inbox::read(const Parcel& parcel, const Message*& message) {
-  message = parcel.bytes == nullptr ? parcel.message.get() : parsed_.get();
-  if (parcel.bytes != nullptr && !msgs::parseBytes(parcel.bytes->bytes, *parsed_)) {
-    return "is not of type " + msgs::typeName(*parsed_);
+std::optional<std::string> Inbox::handOverMessage(Parcel& parcel) {
+  constexpr auto kDispatch = CallGuard::Moment::kDispatch;
+  const Message* message = parcel.parsed(channel.type);
+  if (message == nullptr) return "is not of type " + channel.type;
+  if (largestNumber_) {
+    if (std::optional<std::string> fault = refusal(*message, *largestNumber_)) return fault;
   }
-  return largestNumber_ ? refusal(*message, *largestNumber_) : std::nullopt;
-}
-
-std::span<const std::byte> Inbox::bytesOf(const Parcel& parcel) {
-  if (parcel.bytes != nullptr) return parcel.bytes->bytes;
-  serialized_.resize(msgs::byteSize(*parcel.message));
-  msgs::writeBytes(*parcel.message, serialized_);
-  return serialized_;
+  if (const auto* heard = std::get_if<HeardAtOnce>(&function_)) {
+    const Hearing hearing(channel);
+    if (!ended) call(kDispatch, [&] { (*heard)(*message, nullptr); });
+  } else {
+    call(kDispatch, [&] { std::get<std::function<void(const Message&)>>(function_)(*message); });
+  }
+  return std::nullopt;
 }
 
 void Inbox::hear(const Message& message, const Bulk* bulk) const {

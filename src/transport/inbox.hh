@@ -59,7 +59,7 @@ class Inbox {
 
   /// Passes a message to the subscription, within `dispatch`.
   /// @return Why it can't be used ("is not of type ignition.msgs.Twist"), or nothing.
-  std::optional<std::string> handOver(const Parcel& parcel);
+  std::optional<std::string> handOver(Parcel& parcel);
 
   /// Passes a message to a subscription at once, within `publish`.
   void hear(const Message& message, const Bulk* bulk) const;
@@ -87,10 +87,9 @@ class Inbox {
   std::uint64_t lostBefore = 0;
 
  private:
+  std::optional<std::string> handOverMessage(Parcel& parcel);
   template <class Call>
   void call(CallGuard::Moment moment, const Call& function) const;
-  std::optional<std::string> read(const Parcel& parcel, const Message*& message);
-  std::span<const std::byte> bytesOf(const Parcel& parcel);
   void clear() REQUIRES(waitingRole);
   Parcel* removeOldest() REQUIRES(waitingRole);
 
@@ -98,10 +97,6 @@ class Inbox {
   CallGuard* const guard_;
   const std::size_t queueLength_;
   const std::optional<double> largestNumber_;
-  /// What came as bytes is parsed into it; null for a subscription of bytes.
-  MessagePointer parsed_;
-  /// What was published as a message, for a subscription of bytes.
-  std::vector<std::byte> serialized_;
   std::vector<Arrival> waiting_ GUARDED_BY(waitingRole);
   /// Those before it were dropped.
   std::size_t first_ GUARDED_BY(waitingRole) = 0;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -9,7 +11,7 @@
 
 namespace pongsim::transport {
 
-struct Parcel;
+class Parcel;
 
 /// Parcels of one message type that nobody uses.
 struct SpareParcels {
@@ -18,20 +20,30 @@ struct SpareParcels {
   std::size_t bytes = 0;
 };
 
-/// A message for subscriptions of this process, which share it: a copy of what was published, or its bytes.
-struct Parcel {
+/// A message for subscriptions of this process, which share it.
+class Parcel {
+ public:
   ParticipantId sender{};
-  /// Of the message in protobuf's binary form [bytes].
-  std::size_t size = 0;
-  /// Null: the content is `message`.
+  /// The message in protobuf's binary form.
   Buffer* bytes = nullptr;
-  /// Without `bytes`, the content. Reused, so that a copy into it seldom allocates.
-  MessagePointer message;
   std::size_t users = 0;
 
-  // for the pool: where it goes, and its index there
-  SpareParcels* spare = nullptr;
-  std::size_t index = 0;
+  /// @return The message, parsed by the first call; null if the bytes are not of that type. Thread-safe.
+  const Message* parsed(const std::string& type);
+
+ private:
+  friend class ParcelPool;
+  enum class State { kUnread, kBeingRead, kRead, kUnreadable };
+
+  std::size_t occupiedBytes() const;
+
+  std::atomic<State> state_ = State::kUnread;
+  /// Reused, so that parsing seldom allocates.
+  MessagePointer message_;
+  std::size_t messageSize_ = 0;
+  /// Where it returns to, and its index in the pool.
+  SpareParcels* spare_ = nullptr;
+  std::size_t index_ = 0;
 };
 
 /// Reuses parcels, so that a steady flow of messages does not allocate. Not thread-safe.
@@ -40,16 +52,13 @@ class ParcelPool {
   /// What the unused parcels of one type may occupy; more are freed.
   static constexpr std::size_t kMostSpareBytes = 1 << 20;
 
-  /// @return A parcel for one user, with any message or none.
+  /// @return A parcel for one user, with a buffer of that size.
   Parcel* take(SpareParcels& spare, std::size_t size);
-  /// @return A parcel with a buffer of that size.
-  Parcel* takeBytes(std::size_t size);
   /// Ends one use.
   void giveBack(Parcel* parcel);
 
  private:
   std::vector<std::unique_ptr<Parcel>> all_;
-  SpareParcels spareOfBytes_;
   BufferPool buffers_;
 };
 

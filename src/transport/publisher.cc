@@ -51,10 +51,8 @@ Destinations destinationsOf(const PublisherState& publisher) {
           publisher.writer != nullptr && (publisher.options.latched || publisher.writer->hasReaders())};
 }
 
-/// Sends a message to those who do not receive it at once. `fill` writes it; `copy` makes a parcel with its content.
-template <class Copy>
-void sendLater(PublisherState& publisher, const Destinations& to, std::size_t size, const Fill& fill,
-               const Copy& copy) {
+/// Sends a message, which `fill` writes, to those who do not receive it at once.
+void sendLater(PublisherState& publisher, const Destinations& to, std::size_t size, const Fill& fill) {
   Channel& channel = publisher.channel;
   if (size > kMaximumMessage) {
     static const Logger log("transport");
@@ -64,14 +62,19 @@ void sendLater(PublisherState& publisher, const Destinations& to, std::size_t si
   ++publisher.sent;
   ++channel.sent;
   const bool latched = publisher.options.latched;
-  if (to.elsewhere) publisher.writer->write(size, fill, latched ? Keeping::kKept : Keeping::kNone);
-  if (to.here) publisher.bus.delivery().deliver(channel, copy(), latched, &publisher);
-}
-
-Parcel* parcelOfBytes(PublisherState& publisher, std::size_t size, const Fill& fill) {
-  Parcel* parcel = publisher.bus.delivery().takeBytes(size);
-  fill(parcel->bytes->bytes);
-  return parcel;
+  const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
+  if (!to.here) {
+    if (to.elsewhere) publisher.writer->write(size, fill, keeping);
+    return;
+  }
+  Delivery& delivery = publisher.bus.delivery();
+  Parcel* parcel = delivery.take(channel, size);
+  const std::span<std::byte> bytes = parcel->bytes->bytes;
+  fill(bytes);
+  // with std::ranges, GCC 12 copies single bytes
+  const auto copy = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
+  if (to.elsewhere) publisher.writer->write(size, copy, keeping);
+  delivery.deliver(channel, parcel, latched, &publisher);
 }
 
 }  // namespace
@@ -106,10 +109,7 @@ void Publisher::publish(const Message& message) {
   });
   const transport::Destinations to = transport::destinationsOf(*state_);
   const std::size_t size = to.here || to.elsewhere ? msgs::byteSize(message) : 0;
-  transport::sendLater(*state_, to, size, fill, [&] {
-    transport::Parcel* parcel = state_->bus.delivery().copyOf(channel, message, size);
-    return parcel != nullptr ? parcel : transport::parcelOfBytes(*state_, size, fill);
-  });
+  transport::sendLater(*state_, to, size, fill);
 }
 
 void Publisher::publish(const Message& message, const Bulk& bulk) {
@@ -126,14 +126,12 @@ void Publisher::publish(const Message& message, const Bulk& bulk) {
     if (inbox.hearsMessages()) return inbox.hear(message, &bulk);
     inbox.hearBytes(writer->size(), fill);
   });
-  transport::sendLater(*state_, transport::destinationsOf(*state_), writer->size(), fill,
-                       [&] { return transport::parcelOfBytes(*state_, writer->size(), fill); });
+  transport::sendLater(*state_, transport::destinationsOf(*state_), writer->size(), fill);
 }
 
 void Publisher::publishBytes(std::span<const std::byte> bytes) {
   if (!state_ || !transport::isAwaited(*state_)) return;
   transport::Channel& channel = state_->channel;
-  // with std::ranges, GCC 12 copies single bytes
   const transport::Fill fill = [bytes](std::span<std::byte> place) {
     std::copy(bytes.begin(), bytes.end(), place.begin());
   };
@@ -149,8 +147,7 @@ void Publisher::publishBytes(std::span<const std::byte> bytes) {
     }
     if (isMessage) inbox.hear(*parsed, nullptr);
   });
-  transport::sendLater(*state_, transport::destinationsOf(*state_), bytes.size(), fill,
-                       [&] { return transport::parcelOfBytes(*state_, bytes.size(), fill); });
+  transport::sendLater(*state_, transport::destinationsOf(*state_), bytes.size(), fill);
 }
 
 std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }

@@ -13,12 +13,6 @@ namespace pongsim::msgs {
 
 const std::string& typeName(const Message& message) { return message.GetDescriptor()->full_name(); }
 
-bool copy(const Message& from, Message& to) {
-  if (from.GetDescriptor() != to.GetDescriptor()) return false;
-  to.CopyFrom(from);
-  return true;
-}
-
 std::size_t byteSize(const Message& message) { return message.ByteSizeLong(); }
 
 void writeBytes(const Message& message, std::span<std::byte> place) {

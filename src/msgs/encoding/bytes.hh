@@ -14,10 +14,6 @@ namespace pongsim::msgs {
 /// @return The full name of the message's type.
 const std::string& typeName(const Message& message);
 
-/// Replaces the content of `to`, reusing its memory.
-/// @return False, with `to` as it was, if the messages are not of one class.
-bool copy(const Message& from, Message& to);
-
 /// @return The number of bytes that `writeBytes` writes.
 std::size_t byteSize(const Message& message);
 
