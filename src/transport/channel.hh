@@ -11,7 +11,7 @@
 
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
-#include "transport/complaint_limit.hh"
+#include "shared/threads/complaint_limit.hh"
 #include "transport/locks.hh"
 #include "transport/parcel.hh"
 
@@ -88,7 +88,7 @@ class Channel {
   Parcel* latched GUARDED_BY(waitingRole) = nullptr;
 
   /// Limits warnings about bad messages.
-  ComplaintLimit complaints GUARDED_BY(waitingRole);
+  shared::ComplaintLimit complaints GUARDED_BY(waitingRole);
 };
 
 /// Holds `hearing`: one thread at a time calls subscriptions at once, or changes their list.

@@ -9,7 +9,6 @@
 
 #include "ros2/wire/endpoint.hh"
 #include "ros2/wire/graph.hh"
-#include "ros2/wire/outbox.hh"
 #include "ros2/wire/reader.hh"
 #include "ros2/wire/writer.hh"
 
@@ -63,7 +62,8 @@ class Participant final : private rtps::RTPSParticipantListener {
 
   ParticipantOptions options_;
   Graph graph_;
-  Outbox outbox_;
+  /// Each writer has its own limit.
+  shared::Outbox outbox_{{shared::Outbox::kUnlimited, shared::Outbox::kUnlimited}};
   Guid id_;
   rtps::RTPSParticipant* participant_ = nullptr;
 };

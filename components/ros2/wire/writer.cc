@@ -6,6 +6,8 @@
 #include <fastdds/dds/publisher/qos/WriterQos.hpp>
 
 #include <algorithm>
+#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -16,10 +18,10 @@ namespace pongsim::ros2 {
 /// Keeps a writer's payloads in the outbox's buffers. Guarded by the writer's lock.
 class Writer::Payloads final : public rtps::IPayloadPool {
  public:
-  explicit Payloads(Outbox& outbox) : outbox_(outbox) {}
+  explicit Payloads(shared::Outbox& outbox) : outbox_(outbox) {}
 
   /// Sets the buffer of the next change, which is returned to the outbox with the change.
-  void setNext(Buffer* buffer) { next_ = buffer; }
+  void setNext(shared::Buffer* buffer) { next_ = buffer; }
 
   bool get_payload(std::uint32_t, rtps::CacheChange_t& change) override {
     if (next_ == nullptr) return false;
@@ -35,9 +37,9 @@ class Writer::Payloads final : public rtps::IPayloadPool {
 
   bool release_payload(rtps::CacheChange_t& change) override {
     const auto* data = reinterpret_cast<const std::byte*>(change.serializedPayload.data);
-    const auto found = std::ranges::find(kept_, data, [](const Buffer* each) { return each->bytes.data(); });
+    const auto found = std::ranges::find(kept_, data, [](const shared::Buffer* each) { return each->bytes.data(); });
     if (found == kept_.end()) return false;
-    outbox_.buffers().giveBack(*found);
+    outbox_.giveBack(*found);
     kept_.erase(found);
     // the library would free it
     change.serializedPayload.data = nullptr;
@@ -48,9 +50,9 @@ class Writer::Payloads final : public rtps::IPayloadPool {
   }
 
  private:
-  Outbox& outbox_;
-  Buffer* next_ = nullptr;
-  std::deque<Buffer*> kept_;
+  shared::Outbox& outbox_;
+  shared::Buffer* next_ = nullptr;
+  std::deque<shared::Buffer*> kept_;
 };
 
 namespace {
@@ -59,9 +61,10 @@ rtps::HistoryAttributes writerHistory() { return {rtps::PREALLOCATED_WITH_REALLO
 
 }  // namespace
 
-Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract, bool tellsHash,
+Writer::Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract, bool tellsHash,
                std::function<void()> readersChanged)
     : outbox_(outbox),
+      topic_(contract.topic),
       keeps_(contract.qos.isTransientLocal),
       depth_(std::max<std::size_t>(contract.qos.depth, 1)),
       lifespan_(contract.qos.lifespan),
@@ -109,22 +112,24 @@ bool Writer::hasReader(const Guid& reader) const {
 
 void Writer::write(std::size_t size, const Fill& fill, const SampleId& related) {
   ++sent_;
-  Buffer* buffer = outbox_.buffers().take(size);
-  fill(buffer->bytes);
-  outbox_.add(*this, buffer, related);
+  // what it is related to stands before the payload
+  outbox_.add(*this, sizeof related + size, [&](std::span<std::byte> place) {
+    std::memcpy(place.data(), &related, sizeof related);
+    fill(place.subspan(sizeof related));
+  });
 }
 
-void Writer::send(Buffer* buffer, const SampleId& related) {
+bool Writer::send(shared::Buffer* sample) {
+  SampleId related;
+  std::memcpy(&related, sample->bytes.data(), sizeof related);
+  sample->bytes = sample->bytes.subspan(sizeof related);
   const std::lock_guard lock(writer_->getMutex());
   makeRoom();
-  const auto size = static_cast<std::uint32_t>(buffer->bytes.size());
-  payloads_->setNext(buffer);
+  const auto size = static_cast<std::uint32_t>(sample->bytes.size());
+  payloads_->setNext(sample);
   rtps::CacheChange_t* change = writer_->new_change([size] { return size; }, rtps::ALIVE);
   payloads_->setNext(nullptr);
-  if (change == nullptr) {
-    outbox_.buffers().giveBack(buffer);
-    return;
-  }
+  if (change == nullptr) return false;
   change->serializedPayload.encapsulation = CDR_LE;
   change->serializedPayload.length = size;
   rtps::WriteParams params;
@@ -134,6 +139,7 @@ void Writer::send(Buffer* buffer, const SampleId& related) {
         {static_cast<std::int32_t>(related.number >> 32), static_cast<std::uint32_t>(related.number)});
   }
   history_.add_change(change, params);
+  return true;
 }
 
 // Not in DDS's callback for acknowledged samples: in Fast DDS 2.9 it may run while a reader is being removed, with

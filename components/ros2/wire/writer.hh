@@ -13,10 +13,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ros2/wire/endpoint.hh"
-#include "ros2/wire/outbox.hh"
+#include "shared/threads/outbox.hh"
 
 namespace pongsim::ros2 {
 
@@ -24,12 +25,12 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 /// A writer on a topic. A payload is written once, to the memory from which DDS sends it to all readers. Writing never
 /// blocks: samples that a slow reader has not received are dropped according to its depth, and counted.
-class Writer final : private rtps::WriterListener, private Outbox::Target {
+class Writer final : private rtps::WriterListener, private shared::Outbox::Target {
  public:
   /// @param readersChanged Called from a DDS thread when a reader appears or disappears.
   /// @param tellsHash Whether to announce the type's hash.
   /// @throws std::runtime_error if DDS fails.
-  Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract, bool tellsHash,
+  Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract, bool tellsHash,
          std::function<void()> readersChanged);
   /// Waits until DDS has everything that was written.
   ~Writer() override;
@@ -58,13 +59,15 @@ class Writer final : private rtps::WriterListener, private Outbox::Target {
  private:
   class Payloads;
   void onWriterMatched(rtps::RTPSWriter* writer, rtps::MatchingInfo& info) override;
-  void send(Buffer* buffer, const SampleId& related) override;
+  bool send(shared::Buffer* sample) override;
+  const std::string& topic() const override { return topic_; }
   std::size_t mostWaiting() const override { return depth_; }
   void makeRoom();
   void dropOutlived();
   using rtps::WriterListener::onWriterMatched;
 
-  Outbox& outbox_;
+  shared::Outbox& outbox_;
+  std::string topic_;
   bool keeps_;
   std::size_t depth_;
   std::optional<std::chrono::seconds> lifespan_;

@@ -78,7 +78,7 @@ ParticipantId participantId(const rtps::GuidPrefix_t& prefix) {
   return id;
 }
 
-Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
+Writer::Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract,
                std::function<void()> readersChanged)
     : own_(participantId(participant.getGuid().guidPrefix)),
       outbox_(outbox),

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "transport/locks.hh"
-#include "transport/network/outbox.hh"
+#include "shared/threads/outbox.hh"
 #include "transport/network/sample_pool.hh"
 #include "transport/payload.hh"
 
@@ -49,12 +49,12 @@ ParticipantId participantId(const rtps::GuidPrefix_t& prefix);
 
 /// DDS writer of a topic. Reliable for readers that are fast enough; a slow one loses the oldest messages and blocks no
 /// one.
-class Writer : private rtps::WriterListener, private Outbox::Target {
+class Writer : private rtps::WriterListener, private shared::Outbox::Target {
  public:
   /// @param outbox Passes the messages to DDS. Must outlive this.
   /// @param readersChanged Called on a DDS thread when a reader elsewhere is added or removed.
   /// @throws std::runtime_error if DDS refuses.
-  Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
+  Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract,
          std::function<void()> readersChanged);
   /// Waits until everything written was passed to DDS.
   ~Writer() override;
@@ -98,7 +98,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   using rtps::WriterListener::onWriterMatched;
 
   ParticipantId own_;
-  Outbox& outbox_;
+  shared::Outbox& outbox_;
   std::string topic_;
   bool keepsLast_;
   Content content_;

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "pongsim/program/keystore.hh"
+#include "shared/threads/outbox.hh"
 #include "transport/locks.hh"
 #include "transport/network/directory.hh"
 #include "transport/network/endpoint.hh"
-#include "transport/network/outbox.hh"
 #include "transport/network/participant.hh"
 #include "transport/network/traffic_reporter.hh"
 
@@ -119,7 +119,7 @@ class Network : private rtps::RTPSParticipantListener {
   /// Of all participants.
   std::uint32_t endpoints_ GUARDED_BY(mutex_) = 0;
   std::atomic<bool> heardAll_ = true;
-  Outbox outbox_;
+  shared::Outbox outbox_{shared::Outbox::Limits{}};
   TrafficReporter reporter_;
   std::unique_ptr<Writer> censusWriter_;
   std::unique_ptr<Reader> censusReader_;

@@ -17,7 +17,7 @@
 
 #include "base/parse_number.hh"
 #include "transport/deadline.hh"
-#include "transport/scheduling.hh"
+#include "shared/threads/scheduling.hh"
 #include "transport/udp/domain.hh"
 
 namespace pongsim::transport {
@@ -148,7 +148,7 @@ Participant::Participant(const Settings& settings, const std::optional<Participa
     : listener_(listener), gate_(std::make_shared<UdpGate>(settings.domain)), participant_(nullptr, removeParticipant) {
   setUpLibrary();
   // with DDS's threads
-  const GivesWay givesWay;
+  const shared::GivesWay givesWay;
   participant_.reset(
       rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(settings.domain), false,
                                           participantAttributes(settings, textOf({getpid(), first}), gate_), this));

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <utility>
 
-#include "transport/network/outbox.hh"
 #include "transport/payload.hh"
 
 namespace pongsim::transport {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "shared/threads/outbox.hh"
 #include "transport/buffer_pool.hh"
 #include "transport/locks.hh"
 #include "transport/payload.hh"
@@ -19,7 +20,7 @@ class SentSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
  public:
   using Change = eprosima::fastrtps::rtps::CacheChange_t;
 
-  explicit SentSamples(Outbox& outbox) : outbox_(outbox) {}
+  explicit SentSamples(shared::Outbox& outbox) : outbox_(outbox) {}
 
   /// Sets the buffer of the next change; it returns to the outbox with the change.
   void setNext(Buffer* sample) { next_ = sample; }
@@ -29,7 +30,7 @@ class SentSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
   bool release_payload(Change& change) override;
 
  private:
-  Outbox& outbox_;
+  shared::Outbox& outbox_;
   Buffer* next_ = nullptr;
   /// In the order of sending, in which most are released.
   std::deque<Buffer*> samples_;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "transport/network/outbox.hh"
+#include "shared/threads/outbox.hh"
 #include "transport/payload.hh"
 
 namespace pongsim::transport {
@@ -22,7 +22,7 @@ const octet* dataOf(const Buffer* buffer) { return reinterpret_cast<const octet*
 }  // namespace
 
 TEST(SentSamples, LieInTheOutboxesBuffersAndGoBackThere) {
-  Outbox outbox;
+  shared::Outbox outbox({});
   SentSamples pool(outbox);
   CacheChange_t first, second;
   EXPECT_FALSE(pool.get_payload(100, first)) << "there is none";

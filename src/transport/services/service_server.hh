@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "pongsim/service.hh"
-#include "transport/complaint_limit.hh"
+#include "shared/threads/complaint_limit.hh"
 #include "transport/deadline.hh"
 #include "transport/locks.hh"
 #include "transport/services/service_payload.hh"
@@ -58,7 +58,7 @@ class Offer {
   /// Requests waiting for `dispatch`.
   std::deque<Request> waiting GUARDED_BY(requestsRole);
   std::size_t waitingBytes GUARDED_BY(requestsRole) = 0;
-  ComplaintLimit complaints GUARDED_BY(requestsRole);
+  shared::ComplaintLimit complaints GUARDED_BY(requestsRole);
   std::atomic<bool> ended = false;
 };
 

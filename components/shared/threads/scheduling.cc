@@ -1,8 +1,8 @@
-#include "transport/scheduling.hh"
+#include "shared/threads/scheduling.hh"
 
 #include <sched.h>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
@@ -18,4 +18,4 @@ GivesWay::~GivesWay() {
   if (hasChanged_) sched_setscheduler(0, SCHED_OTHER, &kNoPriority);
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

@@ -1,11 +1,11 @@
-#include "transport/buffer_pool.hh"
+#include "shared/threads/buffer_pool.hh"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 TEST(BufferPool, UsesBuffersAgain) {
   BufferPool pool;
@@ -78,9 +78,9 @@ TEST(Buffer, ExchangesItsBytesAndNothingElse) {
   const auto* bytes = one->bytes.data();
   one->swapBytes(*other);
   EXPECT_EQ(one->bytes.size(), 700);
-  EXPECT_EQ(one->sender, ParticipantId{1});
+  EXPECT_EQ(one->sender, decltype(one->sender){1});
   EXPECT_EQ(other->bytes.data(), bytes);
-  EXPECT_EQ(other->sender, ParticipantId{});
+  EXPECT_EQ(other->sender, decltype(other->sender){});
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

@@ -1,11 +1,11 @@
-#include "transport/scheduling.hh"
+#include "shared/threads/scheduling.hh"
 
 #include <gtest/gtest.h>
 #include <sched.h>
 
 #include <thread>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
@@ -44,4 +44,4 @@ TEST(GivesWay, LeavesAPolicyThatWasChosen) {
   });
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

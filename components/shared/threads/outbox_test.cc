@@ -1,4 +1,4 @@
-#include "transport/network/outbox.hh"
+#include "shared/threads/outbox.hh"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
@@ -49,14 +49,57 @@ class NumberTarget final : public Outbox::Target {
   std::string topic_ = "/numbers";
 };
 
-void addNumber(Outbox& outbox, NumberTarget& target, int number, std::size_t size = sizeof(int)) {
+/// Records what it is sent, and holds the outbox's thread on request.
+class SlowTarget final : public Outbox::Target {
+ public:
+  explicit SlowTarget(std::size_t mostWaiting) : mostWaiting_(mostWaiting) {}
+
+  bool send(Buffer* buffer) override {
+    std::unique_lock lock(mutex_);
+    int number = 0;
+    std::memcpy(&number, buffer->bytes.data(), sizeof number);
+    sent_.push_back(number);
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return !isHeld_; });
+    return false;
+  }
+  const std::string& topic() const override { return topic_; }
+  std::size_t mostWaiting() const override { return mostWaiting_; }
+  std::uint64_t dropped() const { return droppedBeforeSending(); }
+
+  void hold() {
+    const std::lock_guard lock(mutex_);
+    isHeld_ = true;
+  }
+  void letGo() {
+    const std::lock_guard lock(mutex_);
+    isHeld_ = false;
+    changed_.notify_all();
+  }
+  void waitForSent(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return sent_.size() >= count; });
+  }
+  /// Only valid after a flush.
+  const std::vector<int>& sent() const { return sent_; }
+
+ private:
+  std::size_t mostWaiting_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool isHeld_ = false;
+  std::vector<int> sent_;
+  std::string topic_ = "/slow";
+};
+
+void addNumber(Outbox& outbox, Outbox::Target& target, int number, std::size_t size = sizeof(int)) {
   outbox.add(target, size, [&](std::span<std::byte> place) { std::memcpy(place.data(), &number, sizeof number); });
 }
 
 }  // namespace
 
 TEST(Outbox, SendsInOrderAndSaysWhenAllIsSent) {
-  Outbox outbox;
+  Outbox outbox({});
   NumberTarget target;
   std::vector<int> expected;
   for (int i = 0; i < 1000; ++i) {
@@ -68,7 +111,7 @@ TEST(Outbox, SendsInOrderAndSaysWhenAllIsSent) {
 }
 
 TEST(Outbox, WaitsForNobodyAndDropsTheOldestWithAWarning) {
-  Outbox outbox;
+  Outbox outbox({});
   NumberTarget closed(false);
   NumberTarget other;
   testing::internal::CaptureStderr();
@@ -90,7 +133,7 @@ TEST(Outbox, WaitsForNobodyAndDropsTheOldestWithAWarning) {
 }
 
 TEST(Outbox, DropsWhatMayBeDroppedFirst) {
-  Outbox outbox;
+  Outbox outbox({});
   NumberTarget closed(false), replies(true, true);
   testing::internal::CaptureStderr();
   for (int i = 0; i < 30'000; ++i) {
@@ -110,7 +153,7 @@ TEST(Outbox, DropsWhatMayBeDroppedFirst) {
 }
 
 TEST(Outbox, BoundsAlsoWhatIsDroppedLast) {
-  Outbox outbox;
+  Outbox outbox({});
   NumberTarget closed(false, true);
   testing::internal::CaptureStderr();
   for (int i = 0; i < 30'000; ++i) addNumber(outbox, closed, i);
@@ -122,7 +165,7 @@ TEST(Outbox, BoundsAlsoWhatIsDroppedLast) {
 }
 
 TEST(Outbox, KeepsNoMoreBytesThanItMay) {
-  Outbox outbox;
+  Outbox outbox({});
   NumberTarget closed(false);
   testing::internal::CaptureStderr();
   for (int i = 0; i < 100; ++i) addNumber(outbox, closed, i, 4 << 20);
@@ -133,4 +176,37 @@ TEST(Outbox, KeepsNoMoreBytesThanItMay) {
   EXPECT_EQ(closed.sent.back(), 99);
 }
 
-}  // namespace pongsim::transport
+TEST(Outbox, KeepsTheNewestOfATargetWhileAnotherIsBeingSent) {
+  Outbox outbox({});
+  SlowTarget target(1);
+  target.hold();
+  addNumber(outbox, target, 1);
+  target.waitForSent(1);
+  addNumber(outbox, target, 2);
+  EXPECT_EQ(target.dropped(), 0U);
+  addNumber(outbox, target, 3);
+  EXPECT_EQ(target.dropped(), 1U);
+  target.letGo();
+  outbox.flush(target);
+  EXPECT_EQ(target.sent(), (std::vector<int>{1, 3}));
+}
+
+TEST(Outbox, DropsTheOldestOfATargetWithALimitOnly) {
+  Outbox outbox({Outbox::kUnlimited, Outbox::kUnlimited});
+  SlowTarget slow(2), other(2);
+  slow.hold();
+  addNumber(outbox, slow, 1);
+  slow.waitForSent(1);
+  addNumber(outbox, other, 10);
+  for (int i = 2; i <= 5; ++i) addNumber(outbox, slow, i);
+  addNumber(outbox, other, 11);
+  slow.letGo();
+  outbox.flush(slow);
+  outbox.flush(other);
+  EXPECT_EQ(slow.sent(), (std::vector<int>{1, 4, 5}));
+  EXPECT_EQ(slow.dropped(), 2U);
+  EXPECT_EQ(other.sent(), (std::vector<int>{10, 11}));
+  EXPECT_EQ(other.dropped(), 0U);
+}
+
+}  // namespace pongsim::shared

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 /// Lets one complaint per second through, so that bad messages do not flood the log.
 class ComplaintLimit {
@@ -27,4 +27,4 @@ class ComplaintLimit {
   std::uint64_t keptBack_ = 0;
 };
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

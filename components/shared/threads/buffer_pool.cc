@@ -1,4 +1,4 @@
-#include "transport/buffer_pool.hh"
+#include "shared/threads/buffer_pool.hh"
 
 #include <sys/mman.h>
 
@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 namespace {
 
@@ -109,4 +109,4 @@ void BufferPool::free(Buffer* buffer) {
   all_.pop_back();
 }
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

@@ -1,8 +1,8 @@
-#include "transport/complaint_limit.hh"
+#include "shared/threads/complaint_limit.hh"
 
 #include <gtest/gtest.h>
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 namespace {
 
 TEST(ComplaintLimit, LetsOneThroughASecondAndCountsTheOthers) {
@@ -15,4 +15,4 @@ TEST(ComplaintLimit, LetsOneThroughASecondAndCountsTheOthers) {
 }
 
 }  // namespace
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared

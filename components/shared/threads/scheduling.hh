@@ -1,6 +1,6 @@
 #pragma once
 
-namespace pongsim::transport {
+namespace pongsim::shared {
 
 /// While it exists, the calling thread, and permanently the threads that it starts meanwhile, do not preempt running
 /// threads when they wake (SCHED_BATCH, sched(7)), so that the simulation's thread is not delayed by those that carry
@@ -16,4 +16,4 @@ class GivesWay {
   bool hasChanged_;
 };
 
-}  // namespace pongsim::transport
+}  // namespace pongsim::shared
