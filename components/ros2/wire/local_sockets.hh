@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
+
+#include "shared/sockets/senders.hh"
 
 namespace pongsim::ros2 {
 
@@ -34,23 +35,14 @@ class UdpSocket {
   int handle_;
 };
 
-/// Who may send to a socket. What others send the kernel drops before anything of it is read.
-struct Senders {
-  /// This machine, by these addresses and those of 127.0.0.0/8.
-  std::vector<std::uint32_t> addresses;
-  /// Others too, where they send to this address of the machine.
-  std::optional<std::uint32_t> openAddress = std::nullopt;
-  /// Or everybody.
-  bool isAnybody = false;
-};
-
 /// @return A socket that receives what is sent to any address of this machine at the port, by `senders`; empty
 /// where the port is taken.
-UdpSocket openUnicast(std::uint16_t port, const Senders& senders);
+UdpSocket openUnicast(std::uint16_t port, const shared::Senders& senders);
 
 /// @return A socket that receives what is sent to the group at the port by way of that interface; others may share
 /// the port. Empty where it can't be had.
-UdpSocket openMulticast(std::uint32_t group, std::uint16_t port, std::uint32_t interface, const Senders& senders);
+UdpSocket openMulticast(std::uint32_t group, std::uint16_t port, std::uint32_t interface,
+                        const shared::Senders& senders);
 
 /// @return A socket that sends and hears nothing.
 UdpSocket openSender();

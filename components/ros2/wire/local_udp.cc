@@ -193,7 +193,7 @@ std::vector<UdpSocket> LocalUdpTransport::socketsFor(const Locator_t& locator) c
     return sockets;
   }
   for (const LocalAddress& each : reach_.addresses) {
-    Senders senders = reach_.senders();
+    shared::Senders senders = reach_.senders();
     senders.isAnybody = isOpenBy(each);
     if (UdpSocket socket = openMulticast(addressOf(locator), port, each.address, senders)) {
       sockets.push_back(std::move(socket));
@@ -329,8 +329,8 @@ bool LocalUdpTransport::configureInitialPeerLocator(Locator_t& locator, const rt
 
 }  // namespace
 
-Senders Reach::senders() const {
-  Senders senders;
+shared::Senders Reach::senders() const {
+  shared::Senders senders;
   if (open) senders.openAddress = open->address;
   for (const LocalAddress& each : addresses) {
     if (!each.isLoopback) senders.addresses.push_back(each.address);

@@ -19,7 +19,7 @@ struct Reach {
   /// The one of them by which it speaks to other machines, too.
   std::optional<LocalAddress> open;
 
-  Senders senders() const;
+  shared::Senders senders() const;
   /// @return Whether what is for that address, in the network's byte order, may be sent.
   bool mayReach(std::uint32_t address) const;
 };
