@@ -12,8 +12,8 @@
 
 #include "support/running_world.hh"
 #include "support/wait_until.hh"
+#include "web/server/client_queue.hh"
 #include "web/server/limits.hh"
-#include "web/server/outbox.hh"
 
 namespace pongsim::web {
 namespace {
@@ -27,22 +27,22 @@ class FreeClient final : public Client {
   void sendText(std::string) override {}
   void sendBinary(Frame) override {}
   void sendData(std::uint64_t, std::size_t, Frame) override {}
-  void sendWhenFree(std::uint64_t key, std::function<Frame()> make) override { outbox_.addMaker(key, std::move(make)); }
+  void sendWhenFree(std::uint64_t key, std::function<Frame()> make) override { queue_.addMaker(key, std::move(make)); }
   void callSoon(std::shared_ptr<Callee> callee) override { callee->called(); }
   std::shared_ptr<void> callRegularly(std::weak_ptr<Callee>) override { return std::make_shared<int>(0); }
-  void forget(std::uint64_t key) override { outbox_.forget(key); }
+  void forget(std::uint64_t key) override { queue_.forget(key); }
   void close(std::uint16_t, std::string) override {}
   bool mayWrite() const override { return true; }
   std::uint64_t dropped() const override { return 0; }
 
   std::optional<Frame> take() {
-    auto item = outbox_.take();
+    auto item = queue_.take();
     return item ? std::optional(std::move(item->frame)) : std::nullopt;
   }
 
  private:
   ServerLimits limits_;
-  Outbox outbox_{limits_};
+  ClientQueue queue_{limits_};
 };
 
 template <class Number>

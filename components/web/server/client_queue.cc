@@ -1,10 +1,10 @@
-#include "web/server/outbox.hh"
+#include "web/server/client_queue.hh"
 
 #include <utility>
 
 namespace pongsim::web {
 
-bool Outbox::add(Item item) {
+bool ClientQueue::add(Item item) {
   const std::lock_guard lock(mutex_);
   if (reliableBytes_ + item.frame.size() > limits_.waitingBytes || reliable_.size() >= limits_.waitingMessages)
     return false;
@@ -13,15 +13,15 @@ bool Outbox::add(Item item) {
   return true;
 }
 
-void Outbox::addData(std::uint64_t key, std::size_t most, Frame frame) {
+void ClientQueue::addData(std::uint64_t key, std::size_t most, Frame frame) {
   addToKey(key, most, {.frame = std::move(frame), .make = {}});
 }
 
-void Outbox::addMaker(std::uint64_t key, std::function<Frame()> make) {
+void ClientQueue::addMaker(std::uint64_t key, std::function<Frame()> make) {
   addToKey(key, 1, {.frame = {}, .make = std::move(make)});
 }
 
-void Outbox::addToKey(std::uint64_t key, std::size_t most, Data data) {
+void ClientQueue::addToKey(std::uint64_t key, std::size_t most, Data data) {
   const std::lock_guard lock(mutex_);
   auto found = keys_.find(key);
   if (found != keys_.end()) {
@@ -48,7 +48,7 @@ void Outbox::addToKey(std::uint64_t key, std::size_t most, Data data) {
   found->second.frames.push_back(std::move(data));
 }
 
-void Outbox::forget(std::uint64_t key) {
+void ClientQueue::forget(std::uint64_t key) {
   const std::lock_guard lock(mutex_);
   const auto found = keys_.find(key);
   if (found == keys_.end()) return;
@@ -57,7 +57,7 @@ void Outbox::forget(std::uint64_t key) {
   keys_.erase(found);
 }
 
-void Outbox::clear() {
+void ClientQueue::clear() {
   const std::lock_guard lock(mutex_);
   reliable_.clear();
   reliableBytes_ = 0;
@@ -66,7 +66,7 @@ void Outbox::clear() {
   dataBytes_ = 0;
 }
 
-std::optional<Outbox::Data> Outbox::takeData() {
+std::optional<ClientQueue::Data> ClientQueue::takeData() {
   const std::lock_guard lock(mutex_);
   if (turns_.empty()) return std::nullopt;
   const auto found = keys_.find(turns_.front());
@@ -83,7 +83,7 @@ std::optional<Outbox::Data> Outbox::takeData() {
   return data;
 }
 
-std::optional<Outbox::Item> Outbox::take() {
+std::optional<ClientQueue::Item> ClientQueue::take() {
   {
     const std::lock_guard lock(mutex_);
     if (!reliable_.empty()) {
@@ -101,12 +101,12 @@ std::optional<Outbox::Item> Outbox::take() {
   return std::nullopt;
 }
 
-bool Outbox::isEmpty() const {
+bool ClientQueue::isEmpty() const {
   const std::lock_guard lock(mutex_);
   return reliable_.empty() && turns_.empty();
 }
 
-std::uint64_t Outbox::dropped() const {
+std::uint64_t ClientQueue::dropped() const {
   const std::lock_guard lock(mutex_);
   return dropped_;
 }

@@ -18,14 +18,14 @@ namespace pongsim::web {
 /// The queue of one client. Items that must not be lost are sent first, in order; then data, one frame of each key in
 /// turn.
 /// For any thread.
-class Outbox {
+class ClientQueue {
  public:
   struct Item {
     bool isText = false;
     Frame frame;
   };
 
-  explicit Outbox(const ServerLimits& limits) : limits_(limits) {}
+  explicit ClientQueue(const ServerLimits& limits) : limits_(limits) {}
 
   /// Adds an item that must not be lost.
   /// @return Whether there was room.

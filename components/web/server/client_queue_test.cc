@@ -1,4 +1,4 @@
-#include "web/server/outbox.hh"
+#include "web/server/client_queue.hh"
 
 #include <gtest/gtest.h>
 
@@ -10,113 +10,113 @@
 namespace pongsim::web {
 namespace {
 
-class OutboxTest : public testing::Test {
+class ClientQueueTest : public testing::Test {
  protected:
   void send(std::uint64_t key, std::size_t most, const std::string& text) {
-    outbox_.addData(key, most, {.head = text, .body = {}});
+    queue_.addData(key, most, {.head = text, .body = {}});
   }
-  bool say(const std::string& text) { return outbox_.add({.isText = true, .frame = {.head = text, .body = {}}}); }
+  bool say(const std::string& text) { return queue_.add({.isText = true, .frame = {.head = text, .body = {}}}); }
   std::vector<std::string> all() {
     std::vector<std::string> texts;
-    while (const std::optional<Outbox::Item> item = outbox_.take()) texts.push_back(item->frame.head);
+    while (const std::optional<ClientQueue::Item> item = queue_.take()) texts.push_back(item->frame.head);
     return texts;
   }
 
   ServerLimits limits_{.waitingBytes = 10, .waitingKeys = 3, .waitingMessages = 4};
-  Outbox outbox_{limits_};
+  ClientQueue queue_{limits_};
 };
 
 using Texts = std::vector<std::string>;
 
-TEST_F(OutboxTest, OnlyTheLatestWaitsWhereOneMay) {
+TEST_F(ClientQueueTest, OnlyTheLatestWaitsWhereOneMay) {
   send(1, 1, "a");
   send(1, 1, "b");
   send(1, 1, "c");
   EXPECT_EQ(all(), Texts{"c"});
-  EXPECT_EQ(outbox_.dropped(), 2U);
+  EXPECT_EQ(queue_.dropped(), 2U);
 }
 
-TEST_F(OutboxTest, TheLatestTakesThePlaceOfTheOneBefore) {
+TEST_F(ClientQueueTest, TheLatestTakesThePlaceOfTheOneBefore) {
   send(1, 1, "a");
   send(2, 1, "x");
   send(1, 1, "b");
   EXPECT_EQ(all(), (Texts{"b", "x"}));
 }
 
-TEST_F(OutboxTest, KeysTakeTurns) {
+TEST_F(ClientQueueTest, KeysTakeTurns) {
   for (const char* text : {"a", "b", "c"}) send(1, 5, text);
   for (const char* text : {"x", "y"}) send(2, 5, text);
   EXPECT_EQ(all(), (Texts{"a", "x", "b", "y", "c"}));
 }
 
-TEST_F(OutboxTest, TheOldestGoesWhereMoreWaitThanMay) {
+TEST_F(ClientQueueTest, TheOldestGoesWhereMoreWaitThanMay) {
   for (const char* text : {"a", "b", "c"}) send(1, 2, text);
   EXPECT_EQ(all(), (Texts{"b", "c"}));
 }
 
-TEST_F(OutboxTest, WhatMustNotBeLostLeavesFirstAndInOrder) {
+TEST_F(ClientQueueTest, WhatMustNotBeLostLeavesFirstAndInOrder) {
   send(1, 1, "data");
   EXPECT_TRUE(say("one"));
   EXPECT_TRUE(say("two"));
   EXPECT_EQ(all(), (Texts{"one", "two", "data"}));
 }
 
-TEST_F(OutboxTest, DataBeyondTheLimitIsDroppedAndCounted) {
+TEST_F(ClientQueueTest, DataBeyondTheLimitIsDroppedAndCounted) {
   send(1, 1, "123456");
   send(2, 1, "123456");
   EXPECT_EQ(all(), Texts{"123456"});
-  EXPECT_EQ(outbox_.dropped(), 1U);
+  EXPECT_EQ(queue_.dropped(), 1U);
   // there is room again
   send(2, 1, "123456");
   EXPECT_EQ(all(), Texts{"123456"});
 }
 
-TEST_F(OutboxTest, ALatestThatIsTooLargeLeavesNothingOldBehind) {
+TEST_F(ClientQueueTest, ALatestThatIsTooLargeLeavesNothingOldBehind) {
   send(1, 1, "old");
   send(1, 1, std::string(11, 'x'));
-  EXPECT_TRUE(outbox_.isEmpty());
+  EXPECT_TRUE(queue_.isEmpty());
   EXPECT_EQ(all(), Texts{});
-  EXPECT_EQ(outbox_.dropped(), 2U);
+  EXPECT_EQ(queue_.dropped(), 2U);
 }
 
-TEST_F(OutboxTest, KeysBeyondTheLimitAreDropped) {
+TEST_F(ClientQueueTest, KeysBeyondTheLimitAreDropped) {
   for (const std::uint64_t key : {1, 2, 3, 4}) send(key, 1, std::to_string(key));
   EXPECT_EQ(all(), (Texts{"1", "2", "3"}));
 }
 
-TEST_F(OutboxTest, RefusesWhatMustNotBeLostBeyondTheLimit) {
+TEST_F(ClientQueueTest, RefusesWhatMustNotBeLostBeyondTheLimit) {
   EXPECT_TRUE(say("1234567890"));
   EXPECT_FALSE(say("x"));
 }
 
-TEST_F(OutboxTest, RefusesMoreMessagesThanMayWaitHoweverSmallTheyAre) {
+TEST_F(ClientQueueTest, RefusesMoreMessagesThanMayWaitHoweverSmallTheyAre) {
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(say(""));
   EXPECT_FALSE(say(""));
 }
 
-TEST_F(OutboxTest, MakesWhatIsMadeWhenItLeaves) {
+TEST_F(ClientQueueTest, MakesWhatIsMadeWhenItLeaves) {
   int state = 1;
-  outbox_.addMaker(1, [&state] { return Frame{.head = std::to_string(state), .body = {}}; });
-  outbox_.addMaker(2, [] { return Frame{}; });
+  queue_.addMaker(1, [&state] { return Frame{.head = std::to_string(state), .body = {}}; });
+  queue_.addMaker(2, [] { return Frame{}; });
   state = 2;
   EXPECT_EQ(all(), Texts{"2"});
 }
 
-TEST_F(OutboxTest, ForgetsAKey) {
+TEST_F(ClientQueueTest, ForgetsAKey) {
   send(1, 2, "12345");
   send(2, 1, "x");
-  outbox_.forget(1);
-  outbox_.forget(7);
+  queue_.forget(1);
+  queue_.forget(7);
   EXPECT_EQ(all(), Texts{"x"});
   send(1, 1, "1234567890");
   EXPECT_EQ(all(), Texts{"1234567890"});
 }
 
-TEST_F(OutboxTest, IsEmptyOnceCleared) {
+TEST_F(ClientQueueTest, IsEmptyOnceCleared) {
   say("1234567890");
   send(1, 1, "1234567890");
-  outbox_.clear();
-  EXPECT_TRUE(outbox_.isEmpty());
+  queue_.clear();
+  EXPECT_TRUE(queue_.isEmpty());
   EXPECT_TRUE(say("1234567890"));
 }
 

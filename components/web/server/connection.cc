@@ -37,10 +37,10 @@ void copyPart(const Frame& frame, std::size_t begin, std::span<unsigned char> pl
 Connection::Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite)
     : waker_(std::move(waker)), socket_(socket), limits_(limits), mayWrite_(mayWrite) {}
 
-void Connection::add(Outbox::Item item) {
+void Connection::add(ClientQueue::Item item) {
   if (hasEnded_ || isClosing()) return;
-  if (outbox_.add(std::move(item))) return wake();
-  outbox_.clear();
+  if (queue_.add(std::move(item))) return wake();
+  queue_.clear();
   close(LWS_CLOSE_STATUS_POLICY_VIOLATION, "it does not read its data");
 }
 
@@ -50,17 +50,17 @@ void Connection::sendBinary(Frame frame) { add({.isText = false, .frame = std::m
 
 void Connection::sendData(std::uint64_t key, std::size_t most, Frame frame) {
   if (hasEnded_ || isClosing()) return;
-  outbox_.addData(key, most, std::move(frame));
+  queue_.addData(key, most, std::move(frame));
   wake();
 }
 
 void Connection::sendWhenFree(std::uint64_t key, std::function<Frame()> make) {
   if (hasEnded_ || isClosing()) return;
-  outbox_.addMaker(key, std::move(make));
+  queue_.addMaker(key, std::move(make));
   wake();
 }
 
-void Connection::forget(std::uint64_t key) { outbox_.forget(key); }
+void Connection::forget(std::uint64_t key) { queue_.forget(key); }
 
 void Connection::close(std::uint16_t code, std::string reason) {
   {
@@ -109,14 +109,14 @@ bool Connection::writePiece(std::vector<unsigned char>& buffer) {
 bool Connection::write(std::vector<unsigned char>& buffer) {
   for (int i = 0; i < kPiecesATurn; ++i) {
     if (!current_) {
-      current_ = outbox_.take();
+      current_ = queue_.take();
       written_ = 0;
       if (!current_) break;
     }
     if (!writePiece(buffer)) return false;
     if (lws_send_pipe_choked(socket_) != 0) break;
   }
-  if (current_ || !outbox_.isEmpty()) {
+  if (current_ || !queue_.isEmpty()) {
     lws_callback_on_writable(socket_);
     return true;
   }
@@ -170,7 +170,7 @@ void Connection::ended() {
   hasEnded_ = true;
   socket_ = nullptr;
   session_.reset();
-  outbox_.clear();
+  queue_.clear();
   current_.reset();
 }
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "pongsim/log.hh"
+#include "web/server/client_queue.hh"
 #include "web/server/limits.hh"
-#include "web/server/outbox.hh"
 #include "web/server/session.hh"
 #include "web/server/waker.hh"
 
@@ -39,7 +39,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   void forget(std::uint64_t key) override;
   void close(std::uint16_t code, std::string reason) override;
   bool mayWrite() const override { return mayWrite_; }
-  std::uint64_t dropped() const override { return outbox_.dropped(); }
+  std::uint64_t dropped() const override { return queue_.dropped(); }
 
   // The rest is for the server's thread.
 
@@ -62,7 +62,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
     std::string reason;
   };
 
-  void add(Outbox::Item item);
+  void add(ClientQueue::Item item);
   void wake();
   bool isClosing() const;
   void deliver(std::string_view message, bool isBinary, const Logger& log);
@@ -75,14 +75,14 @@ class Connection final : public Client, public Callee, public std::enable_shared
   // a copy, because clients can outlive the server
   const ServerLimits limits_;
   const bool mayWrite_;
-  Outbox outbox_{limits_};
+  ClientQueue queue_{limits_};
   std::unique_ptr<Session> session_;
   std::atomic<bool> isAwake_ = false;
   mutable std::mutex mutex_;
   std::optional<Closing> closing_;
   std::atomic<bool> hasEnded_ = false;
   /// The item being sent; `written_` bytes of it are done.
-  std::optional<Outbox::Item> current_;
+  std::optional<ClientQueue::Item> current_;
   std::size_t written_ = 0;
   std::string message_;
 };
