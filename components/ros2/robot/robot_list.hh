@@ -53,7 +53,6 @@ class RobotList {
   bool update();
 
   const std::list<Robot>& robots() const { return robots_; }
-  std::list<Robot>& robots() { return robots_; }
   const std::list<Fixture>& fixtures() const { return fixtures_; }
 
  private:

@@ -205,37 +205,44 @@ TEST_F(RobotsTest, CallTheBaseAsItsOdometryDoesToo) {
   EXPECT_EQ(found.transforms.at("base_footprint").header.frame_id, "v/chassis");
 }
 
-TEST_F(RobotsTest, AreNotMistakenForRemovedOnesAtTheSameAddress) {
-  const std::string topic = "<tf_topic>/odometry</tf_topic>";
-  run(vehicle("v", topic + "<child_frame_id>base_footprint</child_frame_id>"));
+TEST_F(RobotsTest, AreNotTakenForOnesThatHadTheirPlaceInMemory) {
+  run(vehicle("v", "<frame_id>odom</frame_id><child_frame_id>base_footprint</child_frame_id>"));
   robots_.reset();
-  hearTransforms();
-  RobotList list(simulation_->world(), {}, {});
-  list.update();
   Transforms transforms(*node_, ros_, {}, {});
-  transforms.follow(list.robots(), list.fixtures());
-  const auto stepUntilThere = [&](const Words& frames) {
+  const std::list<Fixture> fixtures;
+  const auto robotsNow = [&] {
+    RobotList list(simulation_->world(), {}, {});
+    list.update();
+    return list.robots();
+  };
+  const auto isHeardSoon = [&](const Words& frames) {
     const auto end = std::chrono::steady_clock::now() + pongsim::test::kDeadline;
-    while (!tree().hasFrames(frames)) {
-      if (std::chrono::steady_clock::now() > end) return false;
+    while (!tree().hasFrames(frames) && std::chrono::steady_clock::now() < end) {
       transforms.preUpdate(simulation_->time());
       simulation_->step();
       transforms.postUpdate(simulation_->time());
       std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
-    return true;
+    return tree().hasFrames(frames);
   };
-  ASSERT_TRUE(stepUntilThere({"v/chassis", "base_footprint"}));
-  // another robot gets its place in memory, and its topic
+  std::list<Robot> robots = robotsNow();
+  transforms.follow(robots, fixtures);
+  hearTransforms();
+  ASSERT_TRUE(isHeardSoon({"v/chassis", "base_footprint"}));
+
+  // another one of the same name, whose odometry gives the base no other name
+  ASSERT_FALSE(simulation_->remove(*simulation_->world().model("v")));
   Diagnostics diagnostics;
-  ASSERT_EQ(simulation_->remove(simulation_->world().model("v").value()), std::nullopt);
-  ASSERT_TRUE(simulation_->insertText("<sdf version='1.9'>" + vehicle("u", topic) + "</sdf>", "u", {}, diagnostics));
-  RobotList others(simulation_->world(), {}, {});
-  others.update();
-  list.robots().front() = others.robots().front();
-  transforms.follow(list.robots(), list.fixtures());
-  ASSERT_TRUE(stepUntilThere({"u/chassis", "u/chassis/imu"}));
-  EXPECT_EQ(tree().parents.at("base_footprint"), std::set<std::string>{"v/chassis"});
+  const std::string next = vehicle("v", "<frame_id>odom</frame_id><child_frame_id>v/chassis</child_frame_id>");
+  ASSERT_TRUE(simulation_->insertText("<sdf version='1.9'>" + next + "</sdf>", "model.sdf", {}, diagnostics));
+  robots.front() = robotsNow().front();
+  transforms.follow(robots, fixtures);
+  {
+    const std::lock_guard lock(mutex_);
+    tree_ = {};
+  }
+  ASSERT_TRUE(isHeardSoon({"v/chassis", "v/chassis/imu"}));
+  EXPECT_FALSE(tree().hasFrames({"base_footprint"}));
 }
 
 TEST_F(RobotsTest, LeaveToARuleWhatItBringsToTf) {

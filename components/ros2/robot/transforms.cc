@@ -54,14 +54,14 @@ Transforms::Transforms(const Node& simulation, RosNode& ros, const Settings& set
   static_.publisher = ros.advertise<tf2_msgs::TFMessage>(kStaticTransforms, kLatchedQos, changed);
 }
 
-void Transforms::follow(std::list<Robot>& robots, const std::list<Fixture>& fixtures) {
+void Transforms::follow(const std::list<Robot>& robots, const std::list<Fixture>& fixtures) {
   fixtures_ = &fixtures;
-  std::map<ModelId, Robot*> added;
-  for (Robot& robot : robots) added.emplace(robot.model.id(), &robot);
-  std::erase_if(robots_, [&added](const RobotFrames& frames) { return added.erase(frames.model) == 0; });
-  for (Robot& robot : robots) {
-    if (!added.contains(robot.model.id())) continue;
-    RobotFrames& frames = robots_.emplace_back();
+  std::erase_if(robots_, [&robots](const RobotFrames& frames) {
+    return std::ranges::none_of(robots, [&](const Robot& robot) { return robot.model.id() == frames.model; });
+  });
+  for (const Robot& robot : robots) {
+    const auto known = std::ranges::find(robots_, robot.model.id(), &RobotFrames::model);
+    RobotFrames& frames = known != robots_.end() ? *known : robots_.emplace_back();
     frames.model = robot.model.id();
     frames.robot = &robot;
   }

@@ -36,7 +36,7 @@ class Transforms {
   Transforms(const Node& simulation, RosNode& ros, const Settings& settings, const RobotSettings& robotSettings);
 
   /// Handles added and removed robots. `robots` must exist until the next call.
-  void follow(std::list<Robot>& robots, const std::list<Fixture>& fixtures);
+  void follow(const std::list<Robot>& robots, const std::list<Fixture>& fixtures);
   /// Call in each step before the physics: handles topics and subscribers, and sends static frames to new subscribers.
   void preUpdate(Time now);
   /// Call in each step after the physics.
@@ -49,8 +49,8 @@ class Transforms {
   /// What is known from a robot's odometry.
   struct RobotFrames {
     /// Identifies the robot: another one may get its place in memory.
-    ModelId model;
-    Robot* robot = nullptr;
+    ModelId model{};
+    const Robot* robot = nullptr;
     /// Topic in the simulation; empty if there is none.
     std::string odometry;
     /// Whether a rule already bridges that topic to /tf.

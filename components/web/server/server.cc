@@ -28,7 +28,7 @@ namespace pongsim::web {
 
 namespace {
 
-// Limit of unsent bytes in the socket's buffer (TCP_NOTSENT_LOWAT): the rest stays in the outbox, where newer data
+// Limit of unsent bytes in the socket's buffer (TCP_NOTSENT_LOWAT): the rest stays in the client's queue, where newer data
 // replaces it.
 constexpr int kUnsent = 64 << 10;
 // The library allocates a table for the maximum number of open files, which in containers may be 2^30. Beyond this
