@@ -32,8 +32,12 @@ template struct Opened<Unregistration, &Discovery::unregistrationCb>;
 
 /// The library's discovery threads run until the process ends. For each packet they copy two functions that are static
 /// members of their class, which `exit` has destroyed by then, with their heap memory. Functions that hold only a
-/// pointer can be copied and called after that. The threads run already, and copy under a mutex that cannot be reached
-/// from here: a packet within the nanoseconds of the two assignments below could meet half of one.
+/// pointer can be copied and called after that.
+///
+/// The threads run already, and copy under the mutex of their `Discovery`: a packet within the nanoseconds of the two
+/// assignments below could meet half of one. That can't be mended from outside the library. Only `NodeSharedPrivate`
+/// has that object, whose header is not installed; the constructor of `NodeShared` sets the functions and starts the
+/// threads. The public setters would need another `Discovery`, with sockets of its own, and lock its mutex instead.
 void keepFunctionsThroughExit(NodeShared& shared) {
   NodeShared* const there = &shared;
   *memberOf(Registration()) = [there](const MessagePublisher& reader) { there->OnNewRegistration(reader); };
