@@ -1,6 +1,7 @@
 #include "web/frames/frame.hh"
 
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 namespace pongsim::web {
@@ -40,6 +41,7 @@ Payload encodeFrame(const FrameStatus& status, std::span<const FramePose> now, s
     at += kFrameEntry;
     before[i] = now[i];
   }
+  assert(at == bytes.size());
   return payload;
 }
 

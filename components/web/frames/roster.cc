@@ -1,6 +1,7 @@
 #include "web/frames/roster.hh"
 
 #include <algorithm>
+#include <cassert>
 
 #include "pongsim/scene.hh"
 
@@ -42,6 +43,7 @@ void Roster::add(const Model& model) {
 
 void Roster::poses(std::span<const Pose> X_WorldLinks, std::span<const Pose> X_WorldActors,
                    std::vector<FramePose>& poses) const {
+  assert(X_WorldLinks.size() == links_.size() && X_WorldActors.size() == actors_.size());
   poses.clear();
   poses.reserve(links_.size() + models_.size() + actors_.size());
   for (const ModelPlace& model : models_) {

@@ -1,5 +1,6 @@
 #include "web/server/client_queue.hh"
 
+#include <cassert>
 #include <utility>
 
 namespace pongsim::web {
@@ -70,6 +71,7 @@ std::optional<ClientQueue::Data> ClientQueue::takeData() {
   const std::lock_guard lock(mutex_);
   if (turns_.empty()) return std::nullopt;
   const auto found = keys_.find(turns_.front());
+  assert(found != keys_.end() && !found->second.frames.empty());
   KeyQueue& queue = found->second;
   Data data = std::move(queue.frames.front());
   queue.frames.pop_front();

@@ -23,12 +23,12 @@ constexpr int kLongestToken = 256;
 std::optional<std::filesystem::path> pageFile(const std::filesystem::path& folder, std::string_view path) {
   if (folder.empty() || path.empty() || path.front() != '/' || path.find('\0') != std::string_view::npos) return {};
   path.remove_prefix(1);
-  const std::filesystem::path asked = path.empty() ? "index.html" : std::filesystem::path(path);
-  if (asked.is_absolute() || mediaType(asked).empty()) return {};
+  const std::filesystem::path relative = path.empty() ? "index.html" : std::filesystem::path(path);
+  if (relative.is_absolute() || mediaType(relative).empty()) return {};
   std::error_code error;
   const std::filesystem::path root = std::filesystem::canonical(folder, error);
   if (error) return {};
-  const std::filesystem::path file = std::filesystem::canonical(root / asked, error);
+  const std::filesystem::path file = std::filesystem::canonical(root / relative, error);
   if (error || !std::filesystem::is_regular_file(file, error)) return {};
   if (std::ranges::mismatch(root, file).in1 != root.end()) return {};
   return file;

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -94,7 +95,7 @@ class Server::Loop {
       : settings_(std::move(settings)), log_(log) {
     listProtocols(protocols);
     open();
-    waker_ = std::make_shared<Waker>(context_, log_);
+    waker_ = std::make_shared<Waker>(context_.get(), log_);
     thread_ = std::thread([this] { work(); });
   }
 
@@ -103,7 +104,6 @@ class Server::Loop {
     waker_->wake();
     thread_.join();
     waker_->end();
-    lws_context_destroy(context_);
   }
 
   int port() const { return port_; }
@@ -166,16 +166,15 @@ class Server::Loop {
     for (const std::string& address : settings_.addresses) checkPort(address, settings_.port);
     lws_set_log_level(LLL_ERR, &keepError);
     lws_context_creation_info info = contextInfo();
-    context_ = lws_create_context(&info);
+    context_.reset(lws_create_context(&info));
     if (context_ == nullptr) throw std::runtime_error("the server can't be started: " + lastLibraryError());
     port_ = settings_.port;
     for (const std::string& address : settings_.addresses) {
       info.iface = address.c_str();
       info.port = port_;
       info.vhost_name = address.c_str();
-      lws_vhost* const host = lws_create_vhost(context_, &info);
+      lws_vhost* const host = lws_create_vhost(context_.get(), &info);
       if (host == nullptr) {
-        lws_context_destroy(context_);
         throw std::runtime_error((settings_.certificate.empty()
                                       ? "port " + std::to_string(port_) + " of " + address + " can't be opened: "
                                       : "the certificate can't be used or does not match the key: ") +
@@ -199,7 +198,7 @@ class Server::Loop {
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     pthread_setname_np(pthread_self(), "web");
     while (!mustEnd_) {
-      if (lws_service(context_, 0) >= 0) continue;
+      if (lws_service(context_.get(), 0) >= 0) continue;
       log_.error("the server has failed and stopped");
       return;
     }
@@ -360,7 +359,6 @@ class Server::Loop {
   std::unordered_map<std::string, Protocol*> protocols_;
   std::vector<lws_protocols> table_;
   lws_retry_bo_t idle_{};
-  lws_context* context_ = nullptr;
   int port_ = 0;
   std::shared_ptr<Waker> waker_;
   std::unordered_set<lws*> sockets_;
@@ -372,6 +370,11 @@ class Server::Loop {
   std::atomic<std::size_t> clients_ = 0;
   std::vector<unsigned char> buffer_;
   std::atomic<bool> mustEnd_ = false;
+  struct Destroy {
+    void operator()(lws_context* context) const { lws_context_destroy(context); }
+  };
+  // after all that its callbacks use
+  std::unique_ptr<lws_context, Destroy> context_;
   // last, because it uses the members above
   std::thread thread_;
 };

@@ -42,7 +42,7 @@ export class Stage {
   private readonly matrix = new Matrix4();
 
   constructor(private readonly options: StageOptions) {
-    this.textures = new Textures(options.asset, options.changed, (text) => this.tell(text));
+    this.textures = new Textures(options.asset, options.changed, (text) => this.report(text));
     this.materials = new Materials(this.textures, withAttenuation(ShaderChunk.lights_pars_begin));
     this.meshes = new Meshes(options.asset, (address, bytes) => this.textures.embed(address, bytes));
     this.batches = new Batches(this.materials);
@@ -57,7 +57,7 @@ export class Stage {
   }
 
   /// Each problem is reported once.
-  private tell(text: string): void {
+  private report(text: string): void {
     if (this.reported.has(text)) return;
     this.reported.add(text);
     this.options.problem(text);
@@ -167,7 +167,7 @@ export class Stage {
       return;
     }
     (request ? this.meshes.get(request) : this.ground(geometry)).then(add, (error: unknown) => {
-      this.tell(`'${filename}' of ${owner} can't be shown: ${words(error)}`);
+      this.report(`'${filename}' of ${owner} can't be shown: ${words(error)}`);
     });
   }
 
