@@ -98,7 +98,7 @@ bool Life::mustStop() {
 }
 
 void Life::noteError(py::error_already_set& error) {
-  // the first exception counts
+  // only the first exception is raised
   if (hasError_) return;
   py::object value = error.value();
   if (error.trace()) PyException_SetTraceback(value.ptr(), error.trace().ptr());

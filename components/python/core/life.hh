@@ -84,7 +84,7 @@ class Life {
   void stepping(Work work);
 
   /// Like `stepping`, for several simulations. `work` steps them on threads of its own, which must call a simulation's
-  /// `takeOver` before they step it. If callbacks of several raised exceptions, the first simulation's counts.
+  /// `takeOver` before they step it. If callbacks of several raised exceptions, the first simulation's is raised.
   template <class Work>
   static void steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work);
   /// Makes the calling thread the one that steps it, within `steppingAll`. Without the GIL.
@@ -121,12 +121,12 @@ class Life {
   void raiseNoted();
   void forgetNoted();
 
-  // the simulation, which uses it, is destroyed first
+  // before the simulation, which uses it
   std::unique_ptr<Transport> transport_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<std::weak_ptr<Kept>> kept_;
   std::size_t sweepAt_ = 64;
-  /// Must be destroyed before the simulation.
+  /// The exception of the Python system that failed last.
   std::shared_ptr<Kept> failure_;
   /// Python's id of the thread that takes steps, or 0.
   std::atomic<unsigned long> stepper_ = 0;

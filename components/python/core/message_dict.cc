@@ -23,7 +23,7 @@ using google::protobuf::Reflection;
 
 py::object textOf(const FieldDescriptor& field, const std::string& text) {
   if (field.type() == FieldDescriptor::TYPE_BYTES) return py::bytes(text);
-  // text that is not UTF-8 comes from elsewhere; it is decoded as far as possible
+  // of other processes the text may not be UTF-8: invalid bytes are replaced
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
 }

@@ -194,7 +194,7 @@ void Pool::save(std::size_t world) {
   Place& place = placeOf(world);
   place.saved = place.life->edit("saving").saveState();
   for (const Reading& reading : place.readings) {
-    if (reading.heard) reading.heard->save();
+    if (reading.topic) reading.topic->save();
   }
 }
 
@@ -205,7 +205,7 @@ void Pool::putBack(std::size_t world, Simulation& simulation) {
   handOver(simulation);
   if (const auto refusal = simulation.restoreState(place.saved)) throw std::invalid_argument(*refusal);
   for (const Reading& reading : place.readings) {
-    if (reading.heard) reading.heard->restore();
+    if (reading.topic) reading.topic->restore();
   }
   read(world, true);
 }
@@ -223,13 +223,13 @@ void Pool::forget(std::size_t world) {
   Simulation& simulation = place.life->edit("a reset");
   place.life->stepping([&] { handOver(simulation); });
   for (const Reading& reading : place.readings) {
-    if (reading.heard) reading.heard->forget();
+    if (reading.topic) reading.topic->forget();
   }
 }
 
 std::string Pool::missing(std::size_t world) const {
   for (const Reading& reading : worlds_.at(world)->readings) {
-    if (reading.heard && !reading.heard->isThere()) return reading.heard->name();
+    if (reading.topic && !reading.topic->isThere()) return reading.topic->name();
   }
   return {};
 }

@@ -39,7 +39,8 @@ void PythonSystem::reset() {
   call(reset_, nullptr);
 }
 
-/// The simulation gets an exception like that of a C++ system; Python keeps the original.
+/// Throws what a C++ system would throw; the original Python exception becomes the system's `error`, and the cause of
+/// what the step raises.
 template <class Work>
 void PythonSystem::guarded(Work work) {
   const py::gil_scoped_acquire gil;

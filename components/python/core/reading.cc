@@ -15,8 +15,8 @@
 
 namespace pongsim::python {
 
-Heard::Heard(Life& life, std::string name, const std::string& topic, const std::string& type, std::size_t size,
-             Take take)
+TopicReading::TopicReading(Life& life, std::string name, const std::string& topic, const std::string& type,
+                           std::size_t size, Take take)
     : name_(std::move(name)), now_{std::vector<double>(size, 0.0)}, saved_(now_) {
   subscription_ = life.use().transport().node().subscribeAtOnce(
       topic, type, [this, take = std::move(take)](const Message& message, const Bulk*) {
@@ -30,11 +30,11 @@ namespace {
 /// The lidar system's limit of beams.
 constexpr double kMostBeams = 1e6;
 
-Reading readingOf(std::shared_ptr<Heard> heard) {
-  const Heard& source = *heard;
+Reading readingOf(std::shared_ptr<TopicReading> topic) {
+  const TopicReading& source = *topic;
   return {.size = source.numbers().size(),
           .sample = [&source](double* to) { std::ranges::copy(source.numbers(), to); },
-          .heard = std::move(heard)};
+          .topic = std::move(topic)};
 }
 
 void put(const Vector3& vector, double* to) { std::copy_n(vector.data(), 3, to); }
@@ -57,7 +57,7 @@ LidarLimits lidarLimits(PySensor& sensor) {
 
 Reading rangesOf(PySensor& sensor) {
   const LidarLimits limits = lidarLimits(sensor);
-  return readingOf(std::make_shared<Heard>(
+  return readingOf(std::make_shared<TopicReading>(
       *sensor.life, "the ranges of " + sensor.use().scopedName(), cleanTopic(sensor.use().topic("/scan")),
       "ignition.msgs.LaserScan", limits.beams, [](const Message& message, std::vector<double>& numbers) {
         const auto& ranges = static_cast<const ignition::msgs::LaserScan&>(message).ranges();
@@ -80,12 +80,11 @@ Reading fieldsOf(const std::shared_ptr<Life>& life, const std::string& topic, co
     if (!field->isNumber()) throw py::value_error("field '" + path + "' of " + full + " is not a single number");
     fields.push_back(std::move(*field));
   }
-  return readingOf(
-      std::make_shared<Heard>(*life, "topic " + topic, topic, full, paths.size(),
-                              [fields = std::move(fields)](const Message& message, std::vector<double>& numbers) {
-                                for (std::size_t i = 0; i < fields.size(); ++i)
-                                  numbers[i] = fields[i].numberIn(message).value_or(0.0);
-                              }));
+  return readingOf(std::make_shared<TopicReading>(
+      *life, "topic " + topic, topic, full, paths.size(),
+      [fields = std::move(fields)](const Message& message, std::vector<double>& numbers) {
+        for (std::size_t i = 0; i < fields.size(); ++i) numbers[i] = fields[i].numberIn(message).value_or(0.0);
+      }));
 }
 
 Reading poseReading(const PyModel& model) {
@@ -96,7 +95,7 @@ Reading poseReading(const PyModel& model) {
                 put(pose.position, to);
                 std::copy_n(pose.rotation.coeffs().data(), 4, to + 3);
               },
-          .heard = nullptr};
+          .topic = nullptr};
 }
 
 Reading velocityReading(const PyModel& model) {
@@ -109,7 +108,7 @@ Reading velocityReading(const PyModel& model) {
                 put(back * link.linearVelocity(), to);
                 put(back * link.angularVelocity(), to + 3);
               },
-          .heard = nullptr};
+          .topic = nullptr};
 }
 
 Reading jointReading(const PyJoint& joint) {
@@ -122,7 +121,7 @@ Reading jointReading(const PyJoint& joint) {
                 to[0] = joint.position();
                 to[1] = joint.velocity();
               },
-          .heard = nullptr};
+          .topic = nullptr};
 }
 
 }  // namespace pongsim::python

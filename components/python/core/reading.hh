@@ -13,13 +13,14 @@
 namespace pongsim::python {
 
 /// The latest numbers received from a topic.
-class Heard {
+class TopicReading {
  public:
   /// Extracts the numbers from a message.
   using Take = std::function<void(const Message&, std::vector<double>&)>;
 
-  Heard(Life& life, std::string name, const std::string& topic, const std::string& type, std::size_t size, Take take);
-  ~Heard() { end(subscription_); }
+  TopicReading(Life& life, std::string name, const std::string& topic, const std::string& type, std::size_t size,
+               Take take);
+  ~TopicReading() { end(subscription_); }
 
   /// Its name in messages.
   const std::string& name() const { return name_; }
@@ -48,7 +49,7 @@ struct Reading {
   /// Writes the current values. Called without the GIL.
   std::function<void(double*)> sample;
   /// Null if the values are read directly from the world.
-  std::shared_ptr<Heard> heard;
+  std::shared_ptr<TopicReading> topic;
 };
 
 /// Number of beams and range of a lidar.

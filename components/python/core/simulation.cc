@@ -280,14 +280,9 @@ void bindDiagnostic(py::module_& module) {
       .def("__repr__", [](const Diagnostic& self) { return "<pongsim.Diagnostic " + format(self) + ">"; });
 }
 
-}  // namespace
-
-void bindSimulation(py::module_& module) {
-  bindDiagnostic(module);
-  py::class_<Owner>(module, "Simulation", py::custom_type_setup(setUpCollection))
-      .def(py::init(&open), py::arg("world"), py::arg("seed"), py::arg("load_systems"), py::arg("strict"),
-           py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
-           py::arg("file"))
+/// Steps, reset, saved states, and the end.
+void bindRun(py::class_<Owner>& simulation) {
+  simulation
       .def("step", &step, py::arg("count") = 1,
            "Makes `count` steps: delivers messages, calls the systems, moves the bodies. Other Python threads run "
            "meanwhile; Ctrl-C ends it between two steps. Raises exceptions of callbacks, and SystemFailed if the "
@@ -324,7 +319,12 @@ void bindSimulation(py::module_& module) {
           "format(sim.state_hash(), \"016x\") is what `pongsim run --hash` prints.")
       .def(
           "close", [](Owner& self) { self.life->close(); },
-          "Ends the simulation. All its objects raise Gone afterwards.")
+          "Ends the simulation. All its objects raise Gone afterwards.");
+}
+
+/// What can be read, and the settings that can be changed.
+void bindProperties(py::class_<Owner>& simulation) {
+  simulation
       .def_property_readonly(
           "is_closed", [](Owner& self) { return self.life->isClosed(); }, "Whether it has ended.")
       .def_property_readonly(
@@ -364,7 +364,12 @@ void bindSimulation(py::module_& module) {
             }
             return topics;
           },
-          "The topics of this simulation, with their message types.")
+          "The topics of this simulation, with their message types.");
+}
+
+/// Models, sensors, systems and messages.
+void bindContent(py::class_<Owner>& simulation) {
+  simulation
       .def("model", &findModel, py::arg("name"),
            "The model with that name, nested ones as \"outer::inner\". Raises KeyError.")
       .def("insert", &insert, py::arg("source"), py::kw_only(), py::arg("name") = "", py::arg("pose") = py::none(),
@@ -385,14 +390,26 @@ void bindSimulation(py::module_& module) {
       .def("add_system", &addSystem, py::arg("name"), py::arg("system"))
       .def("open_subscription",
            [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
-             auto ear = Ear::open(self.life, topic, std::move(callback), std::move(type), length);
-             return ear;
+             return PythonSubscription::open(self.life, topic, std::move(callback), std::move(type), length);
            })
       .def("publish_message", [](Owner& self, const std::string& topic, py::handle message,
                                  const std::string& type) { publish(*self.life, topic, message, type); })
       .def("ask",
            [](Owner& self, const std::string& service, py::handle message, const std::string& type, py::handle reply,
               double timeout) { return request(self.life, service, message, type, reply, timeout); });
+}
+
+}  // namespace
+
+void bindSimulation(py::module_& module) {
+  bindDiagnostic(module);
+  py::class_<Owner> type(module, "Simulation", py::custom_type_setup(setUpCollection));
+  type.def(py::init(&open), py::arg("world"), py::arg("seed"), py::arg("load_systems"), py::arg("strict"),
+           py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
+           py::arg("file"));
+  bindRun(type);
+  bindProperties(type);
+  bindContent(type);
 }
 
 }  // namespace pongsim::python

@@ -40,14 +40,14 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
 }
 
 /// @return The response of a service of this simulation, or nothing if there is none with these types.
-std::optional<CallResult> askOwn(Life& life, const std::string& service, const Message& request, Message& reply) {
+std::optional<CallResult> requestHere(Life& life, const std::string& service, const Message& request, Message& reply) {
   Transport& transport = life.edit("a request").transport();
   std::optional<CallResult> result;
   const std::string type = reply.GetTypeName();
   PendingRequest pending =
-      transport.node().request(service, request, type, [&](const CallResult& came, const Message& answer) {
-        result = came;
-        if (came) reply.CopyFrom(answer);
+      transport.node().request(service, request, type, [&](const CallResult& outcome, const Message& answer) {
+        result = outcome;
+        if (outcome) reply.CopyFrom(answer);
       });
   if (!pending) return std::nullopt;
   life.stepping([&] { transport.dispatch(); });
@@ -57,36 +57,38 @@ std::optional<CallResult> askOwn(Life& life, const std::string& service, const M
 
 }  // namespace
 
-std::shared_ptr<Ear> Ear::open(const std::shared_ptr<Life>& life, const std::string& topic, py::object callback,
-                               py::object type, std::size_t length) {
+std::shared_ptr<PythonSubscription> PythonSubscription::open(const std::shared_ptr<Life>& life,
+                                                             const std::string& topic, py::object callback,
+                                                             py::object type, std::size_t length) {
   Simulation& simulation = life->use();
   if (length == 0) throw py::value_error("the length must be above 0");
-  auto ear = std::make_shared<Ear>();
-  ear->topic_ = topic;
-  ear->life_ = life;
-  ear->callback_ = life->keep(std::move(callback));
-  ear->type_ = life->keep(std::move(type));
-  Ear* raw = ear.get();
+  auto subscription = std::make_shared<PythonSubscription>();
+  subscription->topic_ = topic;
+  subscription->life_ = life;
+  subscription->callback_ = life->keep(std::move(callback));
+  subscription->type_ = life->keep(std::move(type));
+  PythonSubscription* raw = subscription.get();
   Life* owner = life.get();
-  ear->subscription_ = simulation.transport().node().subscribeAnyType(
-      topic, [raw, owner](std::string_view name, std::span<const std::byte> bytes) { raw->hear(*owner, name, bytes); },
+  subscription->subscription_ = simulation.transport().node().subscribeAnyType(
+      topic,
+      [raw, owner](std::string_view name, std::span<const std::byte> bytes) { raw->receive(*owner, name, bytes); },
       {.queueLength = length});
-  life->hold(ear);
-  return ear;
+  life->hold(subscription);
+  return subscription;
 }
 
-void Ear::close() {
+void PythonSubscription::close() {
   letGo();
   if (const auto life = life_.lock()) life->drop(*this);
 }
 
-void Ear::letGo() {
+void PythonSubscription::letGo() {
   end(subscription_);
   callback_.reset();
   type_.reset();
 }
 
-void Ear::hear(Life& life, std::string_view name, std::span<const std::byte> bytes) {
+void PythonSubscription::receive(Life& life, std::string_view name, std::span<const std::byte> bytes) {
   const py::gil_scoped_acquire gil;
   if (!callback_) return;
   try {
@@ -117,41 +119,41 @@ void publish(Life& life, const std::string& topic, py::handle message, const std
 
 py::object request(const std::shared_ptr<Life>& life, const std::string& service, py::handle message,
                    const std::string& requestType, py::handle replyType, double timeout) {
-  const std::chrono::nanoseconds patience = nanoseconds(timeout);
-  std::string asked = requestType.empty() ? typeOfObject(message) : requestType;
-  if (asked.empty()) {
+  const std::chrono::nanoseconds limit = nanoseconds(timeout);
+  std::string requestName = requestType.empty() ? typeOfObject(message) : requestType;
+  if (requestName.empty()) {
     throw py::value_error("the type of the request is unknown; give it as type=\"Entity\", or use a message class");
   }
   const bool isNamed = PyUnicode_Check(replyType.ptr());
-  const std::string answered = knownType(isNamed ? replyType.cast<std::string>()
-                                                 : replyType.attr("DESCRIPTOR").attr("full_name").cast<std::string>());
-  const MessagePointer filled = newMessage(knownType(asked));
-  const MessagePointer reply = newMessage(answered);
+  const std::string replyName = knownType(isNamed ? replyType.cast<std::string>()
+                                                  : replyType.attr("DESCRIPTOR").attr("full_name").cast<std::string>());
+  const MessagePointer filled = newMessage(knownType(requestName));
+  const MessagePointer reply = newMessage(replyName);
   fillIn(*filled, message);
 
-  std::optional<CallResult> result = askOwn(*life, service, *filled, *reply);
+  std::optional<CallResult> result = requestHere(*life, service, *filled, *reply);
   if (!result && life->isOnNetwork()) {
     Node node = life->use().transport().node();
-    life->stepping([&] { result = node.call(service, *filled, *reply, patience); });
+    life->stepping([&] { result = node.call(service, *filled, *reply, limit); });
   }
   if (!result) {
     raise("ServiceError", "this simulation has no service '" + service + "' that takes " + filled->GetTypeName() +
-                              " and answers with " + answered +
+                              " and answers with " + replyName +
                               (life->isOnNetwork() ? "" : "; to call services of other processes, use network=True"));
   }
   if (!*result) raise("ServiceError", result->error);
   const std::string bytes = reply->SerializeAsString();
-  return messageAs(isNamed ? py::handle(Py_None) : replyType, answered, std::as_bytes(std::span(bytes)));
+  return messageAs(isNamed ? py::handle(Py_None) : replyType, replyName, std::as_bytes(std::span(bytes)));
 }
 
 void bindTopics(py::module_& module) {
-  py::class_<Ear, std::shared_ptr<Ear>>(module, "Subscription",
-                                        "A subscription to a topic, until `close` or the end of the simulation.")
-      .def("close", &Ear::close, "Ends the subscription.")
-      .def_property_readonly("topic", &Ear::topic, "The topic's name as given.")
-      .def_property_readonly("is_open", &Ear::isOpen, "Whether it is active.")
-      .def_property_readonly("received", &Ear::received, "Messages received so far.")
-      .def_property_readonly("dropped", &Ear::dropped,
+  py::class_<PythonSubscription, std::shared_ptr<PythonSubscription>>(
+      module, "Subscription", "A subscription to a topic, until `close` or the end of the simulation.")
+      .def("close", &PythonSubscription::close, "Ends the subscription.")
+      .def_property_readonly("topic", &PythonSubscription::topic, "The topic's name as given.")
+      .def_property_readonly("is_open", &PythonSubscription::isOpen, "Whether it is active.")
+      .def_property_readonly("received", &PythonSubscription::received, "Messages received so far.")
+      .def_property_readonly("dropped", &PythonSubscription::dropped,
                              "Messages dropped so far because more than `length` arrived between two steps.");
   module.def("message_types", &messageTypes, "The full names of all message types, sorted.");
   module.def("message_type", &knownType, py::arg("name"),

@@ -10,11 +10,11 @@
 namespace pongsim::python {
 
 /// A subscription to a topic in Python, until it or the simulation is closed.
-class Ear final : public Life::Pending {
+class PythonSubscription final : public Life::Pending {
  public:
   /// @param type See `messageAs`.
-  static std::shared_ptr<Ear> open(const std::shared_ptr<Life>& life, const std::string& topic, py::object callback,
-                                   py::object type, std::size_t length);
+  static std::shared_ptr<PythonSubscription> open(const std::shared_ptr<Life>& life, const std::string& topic,
+                                                  py::object callback, py::object type, std::size_t length);
   /// Ends the subscription.
   void close();
   void letGo() override;
@@ -24,7 +24,7 @@ class Ear final : public Life::Pending {
   const std::string& topic() const { return topic_; }
 
  private:
-  void hear(Life& life, std::string_view type, std::span<const std::byte> bytes);
+  void receive(Life& life, std::string_view type, std::span<const std::byte> bytes);
 
   std::string topic_;
   std::weak_ptr<Life> life_;

@@ -123,7 +123,7 @@ def watch(until: Until, sim: Simulation) -> Any:
     """Returns a subscription that raises Reached out of the step in which the condition is fulfilled."""
     path = parse_field(until.field)
 
-    def hear(message: dict[str, Any]) -> None:
+    def receive(message: dict[str, Any]) -> None:
         try:
             value = field_of(message, path)
         except LookupError as missing:
@@ -131,7 +131,7 @@ def watch(until: Until, sim: Simulation) -> Any:
         if until.condition.holds(value):
             raise Reached
 
-    return sim.subscribe(until.topic, hear)
+    return sim.subscribe(until.topic, receive)
 
 
 class Functions:

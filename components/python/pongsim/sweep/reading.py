@@ -70,9 +70,9 @@ class _Reader:
         for key in ("world", "measures"):
             if key not in self.parts:
                 self.root.fail(f"a sweep has no '{key}'")
-        runs, ways = self._runs()
-        plan = self._plan(ways)
-        self._check_use(plan, ways)
+        runs, target_paths = self._runs()
+        plan = self._plan(target_paths)
+        self._check_use(plan, target_paths)
         digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
         digests[self.parts["world"].value] = _digest(pathlib.Path(plan.world).read_bytes())
         # by their names in the file, whatever folder it is read from
@@ -82,9 +82,9 @@ class _Reader:
         plan = dataclasses.replace(plan, key=_digest(json.dumps(digests, sort_keys=True).encode()))
         return Sweep(plan, runs, self.file, digests)
 
-    def _runs(self) -> tuple[list[Run], list[world.Way]]:
+    def _runs(self) -> tuple[list[Run], list[world.TargetPath]]:
         axes: list[design.Axis] = []
-        ways: list[world.Way] = []
+        target_paths: list[world.TargetPath] = []
         parameters = self.parts["parameters"].mapping("parameters") if "parameters" in self.parts else {}
         self.names = list(parameters)
         for name, node in parameters.items():
@@ -92,13 +92,13 @@ class _Reader:
                 node.fail(f"'{name}' can't be the name of a parameter", "use letters, digits and _, and not " + ", ".join(RESERVED))
             node.mapping(f"parameter '{name}'", ["values", "range", "between", "xpath", "text"])
             axes.append(design.read_axis(name, node))
-            ways += self._ways(name, node)
+            target_paths += self._target_paths(name, node)
         combine = self.parts["combine"].text("combine") if "combine" in self.parts else "grid"
         if combine not in ("grid", "zip"):
             self.parts["combine"].fail(f"combine must be grid or zip, not '{combine}'")
         samples, seed = self._sampling(axes)
         runs = design.make_runs(axes, combine, samples, seed, design.read_seeds(self.parts.get("seeds")), self.root)
-        return runs, ways
+        return runs, target_paths
 
     def _sampling(self, axes: list[design.Axis]) -> tuple[int, int]:
         drawn = [axis for axis in axes if axis.between is not None]
@@ -116,7 +116,7 @@ class _Reader:
         samples = parts["samples"].whole("samples", least=1, most=design.MOST_RUNS)
         return samples, parts["seed"].whole("the seed of latin_hypercube") if "seed" in parts else 0
 
-    def _ways(self, name: str, node: Node) -> list[world.Way]:
+    def _target_paths(self, name: str, node: Node) -> list[world.TargetPath]:
         parts = node.mapping("a parameter")
         text = parts["text"].text("text") if "text" in parts else None
         if "xpath" not in parts:
@@ -126,24 +126,24 @@ class _Reader:
         if text is not None:
             self._check_names(text, parts["text"])
         paths = parts["xpath"].list("xpath") if isinstance(parts["xpath"].value, list) else [parts["xpath"]]
-        return [world.Way(name, path.text("xpath"), text, path.at) for path in paths]
+        return [world.TargetPath(name, path.text("xpath"), text, path.at) for path in paths]
 
     def _check_names(self, text: Any, node: Node) -> None:
         for name in template.names(text, node.at):
             if name not in self.names:
                 node.fail(f"${name} is not a parameter", nearest(name, self.names) or "write $$ for a $")
 
-    def _plan(self, ways: list[world.Way]) -> Plan:
+    def _plan(self, target_paths: list[world.TargetPath]) -> Plan:
         world_node = self.parts["world"]
         path = str(self.folder / world_node.text("world"))
         if not os.path.isfile(path):
             world_node.fail(f"there is no file {path}")
-        text = world.read(path, world_node.at) if ways else None
+        text = world.read(path, world_node.at) if target_paths else None
         duration, until = self._end()
         limits = self._limits()
         return Plan(
             key="", version=_core.version, world=path, text=text,
-            targets=world.find(text, path, ways) if text is not None else (), commands=self._commands(),
+            targets=world.find(text, path, target_paths) if text is not None else (), commands=self._commands(),
             measures=self._measures(),
             setup=self._function("", self.parts["setup"]) if "setup" in self.parts else None,
             duration=limits["simulated"].number("limits.simulated", above=0) if until is not None else duration,
@@ -238,11 +238,11 @@ class _Reader:
         self.judges[file] = path
         return Function(name, path, function)
 
-    def _check_use(self, plan: Plan, ways: list[world.Way]) -> None:
+    def _check_use(self, plan: Plan, target_paths: list[world.TargetPath]) -> None:
         if plan.setup is not None or any(isinstance(each, Function) for each in plan.measures):
             return
-        used = {way.parameter for way in ways}
-        for way in ways:
+        used = {way.parameter for way in target_paths}
+        for way in target_paths:
             used |= set(template.names(way.text, way.at))
         for command in plan.commands:
             used |= set(template.names(command.message, ""))

@@ -54,22 +54,22 @@ def run(
         raise SweepError(f"jobs must be 1 or more, not {jobs}")
     sweep = reading.read(source)
     place = pathlib.Path(folder) if folder is not None else default_folder(sweep)
-    tell: Say = say or (lambda text: None)
+    report: Say = say or (lambda text: None)
     # check that the cluster is there before anything is discarded
     with _pool(sweep, jobs, ray) as pool, contextlib.closing(Journal(place, sweep.digests, restart)) as journal:
         unwritten: dict[int, Row] = {}
-        told: set[str] = set()
+        reported: set[str] = set()
         left = [each for each in sweep.runs if each.number not in journal.rows or not journal.rows[each.number].is_done]
         try:
             if left:
                 with _bar(sweep, len(left), progress) as bar:
                     for row in pool.rows(left):
                         _note(row, journal, unwritten)
-                        for warning in set(row.warnings) - told:
+                        for warning in set(row.warnings) - reported:
                             bar.clear()
-                            tell(warning)
+                            report(warning)
                         # every process gives the same warnings, and so does every value of a parameter
-                        told.update(row.warnings)
+                        reported.update(row.warnings)
                         bar.update()
         except KeyboardInterrupt:
             journal.reread()
@@ -78,7 +78,7 @@ def run(
             rows = {**journal.rows, **unwritten}
             results = Results(place, list(sweep.runs[0].parameters), sweep.plan.measure_names,
                               [rows[number] for number in sorted(rows)], len(sweep.runs))
-            results = _write(results, parquet, tell)
+            results = _write(results, parquet, report)
         return results
 
 
@@ -128,7 +128,7 @@ def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
         unwritten[row.run] = row
 
 
-def _write(results: Results, parquet: bool | None, tell: Say) -> Results:
+def _write(results: Results, parquet: bool | None, report: Say) -> Results:
     """Writes the tables; if there is no room, the results say so."""
     try:
         results.write_csv()
@@ -137,7 +137,7 @@ def _write(results: Results, parquet: bool | None, tell: Say) -> Results:
     except SweepError as error:
         if parquet:
             raise
-        tell(f"only CSV was written: {error}")
+        report(f"only CSV was written: {error}")
     except OSError as error:
         return dataclasses.replace(results, table_error=f"{results.folder}: {error.strerror or error}")
     return results

@@ -14,11 +14,11 @@ from .errors import SweepError, need
 from .plan import Target
 
 #: Maximum number of matches listed in a message.
-_TOLD = 4
+_MOST_LISTED = 4
 
 
 @dataclasses.dataclass(frozen=True)
-class Way:
+class TargetPath:
     """A target in the sweep's file: where a parameter goes."""
 
     parameter: str
@@ -39,7 +39,7 @@ def read(file: str, at: str) -> str:
         raise SweepError(f"{file} is not UTF-8 text, so parameters can't be put into it", at=at) from None
 
 
-def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
+def find(text: str, file: str, paths: Iterable[TargetPath]) -> tuple[Target, ...]:
     """Finds the places in the text that the targets select. Raises SweepError, with the position in the sweep's
     file, if one does not select exactly one place."""
     etree = need("lxml.etree", "a sweep whose parameters have an xpath")
@@ -52,15 +52,15 @@ def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
     elements = _places(data)
     numbers = {each: i for i, each in enumerate(root.iter(etree.Element))}
     targets: list[Target] = []
-    for way in ways:
-        thing = _meet(etree, root, file, way)
+    for path in paths:
+        thing = _match(etree, root, file, path)
         is_attribute = getattr(thing, "is_attribute", False)
         element = thing.getparent() if isinstance(thing, str) else thing  # type: ignore[attr-defined]
         begin, end = elements[numbers[element]]
         name = thing.attrname if isinstance(thing, str) and is_attribute else ""  # type: ignore[attr-defined]
-        target = _target(way, data, begin, end, name)
+        target = _target(path, data, begin, end, name)
         if any(target.begin < each.end and each.begin < target.end or target.begin == each.begin for each in targets):
-            raise SweepError(f"'{way.xpath}' selects the same place as another parameter", at=way.at)
+            raise SweepError(f"'{path.xpath}' selects the same place as another parameter", at=path.at)
         targets.append(target)
     return tuple(sorted(targets, key=lambda each: each.begin))
 
@@ -101,34 +101,34 @@ def _places(data: bytes) -> list[tuple[int, int]]:
 _TAG = re.compile(rb"""<([^\s/>]+)(?:[^>"']|"[^"]*"|'[^']*')*>""")
 
 
-def _target(way: Way, data: bytes, begin: int, end: int, attribute: str) -> Target:
+def _target(path: TargetPath, data: bytes, begin: int, end: int, attribute: str) -> Target:
     tag = _TAG.match(data, begin)
     assert tag is not None
     if attribute:
         for match in re.finditer(rb"""\s([^\s=]+)\s*=\s*("[^"]*"|'[^']*')""", tag.group()):
             if match.group(1).decode() == attribute:
-                return Target(way.parameter, way.text, begin + match.start(2), begin + match.end(2), '"', '"')
-        raise SweepError(f"'{way.xpath}' selects an attribute that comes from another file", at=way.at)
+                return Target(path.parameter, path.text, begin + match.start(2), begin + match.end(2), '"', '"')
+        raise SweepError(f"'{path.xpath}' selects an attribute that comes from another file", at=path.at)
     if tag.group().endswith(b"/>"):
         opened = tag.group()[:-2].decode().rstrip() + ">"
-        return Target(way.parameter, way.text, begin, tag.end(), opened, f"</{tag.group(1).decode()}>")
-    return Target(way.parameter, way.text, tag.end(), end, "", "")
+        return Target(path.parameter, path.text, begin, tag.end(), opened, f"</{tag.group(1).decode()}>")
+    return Target(path.parameter, path.text, tag.end(), end, "", "")
 
 
-def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
+def _match(etree: Any, root: Any, file: str, path: TargetPath) -> Any:
     """Returns the one element or attribute that a path matches."""
     try:
-        found = root.getroottree().xpath(way.xpath)
-    except (etree.XPathError, ValueError) as error:  # ValueError: a character that XML has not
-        raise SweepError(f"'{way.xpath}' is not an XPath: {error}", at=way.at) from None
+        found = root.getroottree().xpath(path.xpath)
+    except (etree.XPathError, ValueError) as error:  # ValueError: a character that XML does not allow
+        raise SweepError(f"'{path.xpath}' is not an XPath: {error}", at=path.at) from None
     if not isinstance(found, list):
-        raise SweepError(f"'{way.xpath}' gives {found!r}, not an element or attribute", at=way.at, hint="a path, as //wheel/radius")
+        raise SweepError(f"'{path.xpath}' gives {found!r}, not an element or attribute", at=path.at, hint="a path, as //wheel/radius")
     if not found:
-        raise SweepError(f"'{way.xpath}' matches nothing in {file}", at=way.at, hint=_farthest(etree, root, file, way.xpath))
+        raise SweepError(f"'{path.xpath}' matches nothing in {file}", at=path.at, hint=_farthest(etree, root, file, path.xpath))
     if len(found) > 1:
-        met = ", ".join(_name(each, file) for each in found[:_TOLD])
-        more = f" and {len(found) - _TOLD} more" if len(found) > _TOLD else ""
-        raise SweepError(f"'{way.xpath}' matches {len(found)} places: {met}{more}", at=way.at,
+        listed = ", ".join(_name(each, file) for each in found[:_MOST_LISTED])
+        more = f" and {len(found) - _MOST_LISTED} more" if len(found) > _MOST_LISTED else ""
+        raise SweepError(f"'{path.xpath}' matches {len(found)} places: {listed}{more}", at=path.at,
                          hint="be more specific, such as //model[@name='x']/..., or give a list of paths")
     thing = found[0]
     if isinstance(thing, str):
@@ -137,9 +137,9 @@ def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
         if getattr(thing, "is_text", False):
             thing = thing.getparent()  # type: ignore[attr-defined]
     if not etree.iselement(thing) or not isinstance(thing.tag, str):
-        raise SweepError(f"'{way.xpath}' is neither an element nor an attribute", at=way.at)
+        raise SweepError(f"'{path.xpath}' is neither an element nor an attribute", at=path.at)
     if len(thing.findall("*")):
-        raise SweepError(f"'{way.xpath}' matches {_name(thing, file)}, which contains elements", at=way.at,
+        raise SweepError(f"'{path.xpath}' matches {_name(thing, file)}, which contains elements", at=path.at,
                          hint="a value must go into an element with only text: " + _inside(thing))
     return thing
 
@@ -162,7 +162,7 @@ def _farthest(etree: Any, root: Any, file: str, path: str) -> str:
             continue
         try:
             found = root.getroottree().xpath(part)
-        except etree.XPathError:  # a slash within [ ]: the part is no path
+        except etree.XPathError:  # the slash is inside [ ], so that the prefix is no path
             continue
         if isinstance(found, list) and found and etree.iselement(found[0]):
             return f"'{part}' matches {_name(found[0], file)}, which contains: {_inside(found[0])}"
