@@ -61,7 +61,7 @@ class RawType final : public dds::TopicDataType {
 struct BarePeer::Parts final : dds::DataReaderListener, dds::DataWriterListener {
   explicit Parts(std::atomic<int>& matchedEndpoints) : matched(matchedEndpoints) {}
 
-  struct Way {
+  struct RawSubscription {
     dds::DataReader* reader;
     std::function<void(std::span<const std::byte>)> received;
   };
@@ -71,8 +71,8 @@ struct BarePeer::Parts final : dds::DataReaderListener, dds::DataWriterListener 
     dds::SampleInfo info;
     while (reader->take_next_sample(&taken, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
-      for (const Way& way : ways) {
-        if (way.reader == reader) way.received(taken);
+      for (const RawSubscription& each : subscriptions) {
+        if (each.reader == reader) each.received(taken);
       }
     }
   }
@@ -94,14 +94,14 @@ struct BarePeer::Parts final : dds::DataReaderListener, dds::DataWriterListener 
   dds::Subscriber* subscriber = nullptr;
   dds::DataWriter* writer = nullptr;
   std::mutex mutex;
-  std::vector<Way> ways;
+  std::vector<RawSubscription> subscriptions;
   Bytes taken;
   Bytes written;
 };
 
-BarePeer::BarePeer(int domain, Way way) : parts_(std::make_unique<Parts>(matched_)) {
+BarePeer::BarePeer(int domain, Transports transports) : parts_(std::make_unique<Parts>(matched_)) {
   dds::DomainParticipantQos qos;
-  if (way == Way::kUdp) {
+  if (transports == Transports::kUdp) {
     qos.transport().use_builtin_transports = false;
     const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
     udp->sendBufferSize = udp->receiveBufferSize = 4 << 20;
@@ -128,8 +128,8 @@ void BarePeer::read(const std::string& topic, const std::string& type,
   qos.data_sharing().off();
   auto* const topicOf = parts_->topicOf(topic, type);
   const std::lock_guard lock(parts_->mutex);
-  parts_->ways.push_back({nullptr, std::move(received)});
-  parts_->ways.back().reader = parts_->subscriber->create_datareader(topicOf, qos, parts_.get());
+  parts_->subscriptions.push_back({nullptr, std::move(received)});
+  parts_->subscriptions.back().reader = parts_->subscriber->create_datareader(topicOf, qos, parts_.get());
 }
 
 void BarePeer::openWriter(const std::string& topic, const std::string& type) {

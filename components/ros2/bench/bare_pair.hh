@@ -13,13 +13,13 @@ namespace pongsim::ros2 {
 /// Fast DDS as its users have it, with raw bytes as a type: the reference that the bridge is measured against.
 class BarePeer {
  public:
-  enum class Way {
+  enum class Transports {
     /// The default: shared memory, and UDP on all interfaces.
     kDefault,
     /// UDP only, like the simulation, with socket buffers large enough for an image, which the system's default is not.
     kUdp
   };
-  explicit BarePeer(int domain, Way way);
+  explicit BarePeer(int domain, Transports transports);
   ~BarePeer();
   BarePeer(const BarePeer&) = delete;
   BarePeer& operator=(const BarePeer&) = delete;

@@ -38,7 +38,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using test::Process;
-using Way = BarePeer::Way;
+using Transports = BarePeer::Transports;
 
 struct Kind {
   const char* name;
@@ -162,18 +162,18 @@ void writeBare(BarePeer& peer, int number) {
   });
 }
 
-Way wayNamed(const std::string& name) { return name == "udp" ? Way::kUdp : Way::kDefault; }
+Transports transportsNamed(const std::string& name) { return name == "udp" ? Transports::kUdp : Transports::kDefault; }
 
-int writeProcess(int domain, int kind, Way way) {
-  BarePeer peer(domain, way);
+int writeProcess(int domain, int kind, Transports transports) {
+  BarePeer peer(domain, transports);
   writeBare(peer, kind);
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   return 0;
 }
 
-int readProcess(int domain, int number, Way way) {
+int readProcess(int domain, int number, Transports transports) {
   const Kind& kind = kKinds[number];
-  BarePeer peer(domain, way);
+  BarePeer peer(domain, transports);
   Ages ages;
   peer.read(topicOnWire(kind.topic), ddsTypeName(kind.type),
             [&](std::span<const std::byte> payload) { ages.add(age(number, payload)); });
@@ -199,14 +199,14 @@ double toldBy(Process& reader) {
 
 double bareToReader(int domain, int kind, const std::string& way) {
   Process reader({own(), "read", std::to_string(kind), way});
-  BarePeer writer(domain, wayNamed(way));
+  BarePeer writer(domain, transportsNamed(way));
   writeBare(writer, kind);
   return toldBy(reader);
 }
 
 double bareFromWriter(int domain, int kind, const std::string& way) {
   Ages ages;
-  BarePeer reader(domain, wayNamed(way));
+  BarePeer reader(domain, transportsNamed(way));
   reader.read(topicOnWire(kKinds[kind].topic), ddsTypeName(kKinds[kind].type),
               [&](std::span<const std::byte> payload) { ages.add(age(kind, payload)); });
   Process writer({own(), "write", std::to_string(kind), way});
@@ -342,7 +342,7 @@ std::atomic<bool> isOver = false;
 int listenProcess(int domain) {
   // stopped cleanly, so that it is removed from the graph at once
   std::signal(SIGTERM, [](int) { isOver = true; });
-  BarePeer peer(domain, Way::kUdp);
+  BarePeer peer(domain, Transports::kUdp);
   std::atomic<int> heard[3] = {};
   const std::pair<const char*, const char*> ways[] = {
       {"/lidar", "sensor_msgs/msg/LaserScan"}, {"/camera", "sensor_msgs/msg/Image"}, {"/imu", "sensor_msgs/msg/Imu"}};
@@ -490,5 +490,5 @@ int main(int argc, char** argv) {
   if (what == "listen") return listenProcess(domain);
   if (argc < 4) return 2;
   const auto run = what == "write" ? writeProcess : readProcess;
-  return run(domain, std::atoi(argv[2]), wayNamed(argv[3]));
+  return run(domain, std::atoi(argv[2]), transportsNamed(argv[3]));
 }

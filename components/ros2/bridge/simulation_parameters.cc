@@ -88,16 +88,17 @@ void SimulationParameters::declareQuality(const Settings& settings) {
     if (rule.pair == nullptr) continue;
     for (const bool goesToRos : {true, false}) {
       if (!(goesToRos ? rule.goesToRos() : rule.comesFromRos())) continue;
-      const WayRule& way = goesToRos ? rule.toRos : rule.fromRos;
+      const DirectionRule& options = goesToRos ? rule.toRos : rule.fromRos;
       const std::string prefix = "qos_overrides." + rule.ros + (goesToRos ? ".publisher." : ".subscription.");
-      if (way.depth) addReadOnly(prefix + "depth", kDescription, parameterOf(static_cast<std::int64_t>(*way.depth)));
-      if (way.isReliable) {
+      if (options.depth)
+        addReadOnly(prefix + "depth", kDescription, parameterOf(static_cast<std::int64_t>(*options.depth)));
+      if (options.isReliable) {
         addReadOnly(prefix + "reliability", kDescription,
-                    parameterOf(std::string(*way.isReliable ? "reliable" : "best_effort")));
+                    parameterOf(std::string(*options.isReliable ? "reliable" : "best_effort")));
       }
-      if (way.isTransientLocal) {
+      if (options.isTransientLocal) {
         addReadOnly(prefix + "durability", kDescription,
-                    parameterOf(std::string(*way.isTransientLocal ? "transient_local" : "volatile")));
+                    parameterOf(std::string(*options.isTransientLocal ? "transient_local" : "volatile")));
       }
     }
   }

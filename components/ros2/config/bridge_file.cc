@@ -25,7 +25,7 @@ constexpr std::size_t kLargestDepth = 1'000'000;
 /// Named QoS profiles, like those of rmw. Unset values are the defaults.
 struct Profile {
   std::string_view name;
-  WayRule rule;
+  DirectionRule rule;
 };
 const Profile kProfiles[] = {
     {"SENSOR_DATA", {.depth = 5, .isReliable = false, .isTransientLocal = false}},
@@ -76,9 +76,9 @@ class Reading {
 };
 
 /// Parses one map of the list.
-class Entry {
+class RuleMap {
  public:
-  Entry(const YAML::Node& node, Reading& reading) : node_(node), reading_(reading) {}
+  RuleMap(const YAML::Node& node, Reading& reading) : node_(node), reading_(reading) {}
 
   /// @return The rule, if it has no errors.
   std::optional<RuleText> read() {
@@ -92,7 +92,7 @@ class Entry {
   }
 
  private:
-  using Take = void (Entry::*)(std::string_view key, const YAML::Node& value);
+  using Take = void (RuleMap::*)(std::string_view key, const YAML::Node& value);
   struct Key {
     std::string_view name;
     Take take;
@@ -110,18 +110,18 @@ class Entry {
   void takeNames();
   void takeQuality();
 
-  std::optional<Said> text(std::string_view key, const YAML::Node& value);
+  std::optional<GivenText> text(std::string_view key, const YAML::Node& value);
   std::optional<std::size_t> depth(std::string_view key, const YAML::Node& value);
   template <class Value, std::size_t N>
   std::optional<Value> word(std::string_view key, const YAML::Node& value, const Word<Value> (&words)[N]);
   /// Sets a value that a key with another name may have set before.
-  void text(std::string_view key, const YAML::Node& value, std::optional<Said>& to);
+  void text(std::string_view key, const YAML::Node& value, std::optional<GivenText>& to);
 
-  template <std::optional<Said> Entry::*target>
+  template <std::optional<GivenText> RuleMap::*target>
   void takeText(std::string_view key, const YAML::Node& value) {
     text(key, value, this->*target);
   }
-  template <std::optional<Said> RuleText::*target>
+  template <std::optional<GivenText> RuleText::*target>
   void takeRuleText(std::string_view key, const YAML::Node& value) {
     text(key, value, rule_.*target);
   }
@@ -146,44 +146,45 @@ class Entry {
   Reading& reading_;
   bool isFine_ = true;
   RuleText rule_;
-  std::optional<Said> topic_, rosTopic_, ignitionTopic_, service_, rosService_, ignitionService_;
+  std::optional<GivenText> topic_, rosTopic_, ignitionTopic_, service_, rosService_, ignitionService_;
   std::optional<std::size_t> publisherQueue_, subscriberQueue_, depth_;
   SourcePosition depthPosition_;
   std::optional<bool> isLazy_, isReliable_, isTransientLocal_;
-  std::optional<Said> direction_;
-  std::optional<WayRule> profile_;
+  std::optional<GivenText> direction_;
+  std::optional<DirectionRule> profile_;
 };
 
-const Entry::Key Entry::kKeys[] = {
-    {"topic_name", &Entry::takeText<&Entry::topic_>},
-    {"ros_topic_name", &Entry::takeText<&Entry::rosTopic_>},
-    {"gz_topic_name", &Entry::takeText<&Entry::ignitionTopic_>},
-    {"ign_topic_name", &Entry::takeText<&Entry::ignitionTopic_>},
-    {"ros_type_name", &Entry::takeRuleText<&RuleText::rosType>},
-    {"gz_type_name", &Entry::takeRuleText<&RuleText::ignitionType>},
-    {"ign_type_name", &Entry::takeRuleText<&RuleText::ignitionType>},
-    {"direction", &Entry::takeDirection},
-    {"publisher_queue", &Entry::takePublisherQueue},
-    {"subscriber_queue", &Entry::takeSubscriberQueue},
-    {"lazy", &Entry::takeLazy},
-    {"qos_profile", &Entry::takeProfile},
-    {"frame_id", &Entry::takeRuleText<&RuleText::frameId>},
-    {"service_name", &Entry::takeText<&Entry::service_>},
-    {"gz_req_type_name", &Entry::takeRuleText<&RuleText::requestType>},
-    {"gz_rep_type_name", &Entry::takeRuleText<&RuleText::replyType>},
+const RuleMap::Key RuleMap::kKeys[] = {
+    {"topic_name", &RuleMap::takeText<&RuleMap::topic_>},
+    {"ros_topic_name", &RuleMap::takeText<&RuleMap::rosTopic_>},
+    {"gz_topic_name", &RuleMap::takeText<&RuleMap::ignitionTopic_>},
+    {"ign_topic_name", &RuleMap::takeText<&RuleMap::ignitionTopic_>},
+    {"ros_type_name", &RuleMap::takeRuleText<&RuleText::rosType>},
+    {"gz_type_name", &RuleMap::takeRuleText<&RuleText::ignitionType>},
+    {"ign_type_name", &RuleMap::takeRuleText<&RuleText::ignitionType>},
+    {"direction", &RuleMap::takeDirection},
+    {"publisher_queue", &RuleMap::takePublisherQueue},
+    {"subscriber_queue", &RuleMap::takeSubscriberQueue},
+    {"lazy", &RuleMap::takeLazy},
+    {"qos_profile", &RuleMap::takeProfile},
+    {"frame_id", &RuleMap::takeRuleText<&RuleText::frameId>},
+    {"service_name", &RuleMap::takeText<&RuleMap::service_>},
+    {"gz_req_type_name", &RuleMap::takeRuleText<&RuleText::requestType>},
+    {"gz_rep_type_name", &RuleMap::takeRuleText<&RuleText::replyType>},
     // pongsim's own key
-    {"qos", &Entry::takeQos},
-    {"frame_prefix", &Entry::takeRuleText<&RuleText::framePrefix>},
-    {"ros_service_name", &Entry::takeText<&Entry::rosService_>},
-    {"gz_service_name", &Entry::takeText<&Entry::ignitionService_>},
+    {"qos", &RuleMap::takeQos},
+    {"frame_prefix", &RuleMap::takeRuleText<&RuleText::framePrefix>},
+    {"ros_service_name", &RuleMap::takeText<&RuleMap::rosService_>},
+    {"gz_service_name", &RuleMap::takeText<&RuleMap::ignitionService_>},
 };
 
-const Entry::Key Entry::kQosKeys[] = {
-    {"reliability", &Entry::takeReliability}, {"durability", &Entry::takeDurability}, {"depth", &Entry::takeDepth}};
+const RuleMap::Key RuleMap::kQosKeys[] = {{"reliability", &RuleMap::takeReliability},
+                                          {"durability", &RuleMap::takeDurability},
+                                          {"depth", &RuleMap::takeDepth}};
 
-void Entry::readKeys() { readMap(node_, kKeys); }
+void RuleMap::readKeys() { readMap(node_, kKeys); }
 
-void Entry::readMap(const YAML::Node& map, std::span<const Key> keys) {
+void RuleMap::readMap(const YAML::Node& map, std::span<const Key> keys) {
   std::set<std::string> seen;
   for (const auto& pair : map) {
     if (!pair.first.IsScalar()) {
@@ -205,18 +206,18 @@ void Entry::readMap(const YAML::Node& map, std::span<const Key> keys) {
   }
 }
 
-std::optional<Said> Entry::text(std::string_view key, const YAML::Node& value) {
+std::optional<GivenText> RuleMap::text(std::string_view key, const YAML::Node& value) {
   if (!value.IsScalar()) {
     fail(reading_.at(value), "'" + std::string(key) + "' must be a string");
     return std::nullopt;
   }
   // as in ros_gz, an empty name counts as missing
   if (value.Scalar().empty()) return std::nullopt;
-  return Said{value.Scalar(), reading_.at(value)};
+  return GivenText{value.Scalar(), reading_.at(value)};
 }
 
-void Entry::text(std::string_view key, const YAML::Node& value, std::optional<Said>& to) {
-  const std::optional<Said> said = text(key, value);
+void RuleMap::text(std::string_view key, const YAML::Node& value, std::optional<GivenText>& to) {
+  const std::optional<GivenText> said = text(key, value);
   if (said && to && said->text != to->text) {
     fail(said->position,
          "'" + std::string(key) + "' is '" + said->text + "', and '" + to->text + "' by its other name");
@@ -224,7 +225,7 @@ void Entry::text(std::string_view key, const YAML::Node& value, std::optional<Sa
   if (said && !to) to = said;
 }
 
-std::optional<std::size_t> Entry::depth(std::string_view key, const YAML::Node& value) {
+std::optional<std::size_t> RuleMap::depth(std::string_view key, const YAML::Node& value) {
   const std::string text = value.IsScalar() ? value.Scalar() : "";
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -241,7 +242,7 @@ std::optional<std::size_t> Entry::depth(std::string_view key, const YAML::Node& 
 }
 
 template <class Value, std::size_t N>
-std::optional<Value> Entry::word(std::string_view key, const YAML::Node& value, const Word<Value> (&words)[N]) {
+std::optional<Value> RuleMap::word(std::string_view key, const YAML::Node& value, const Word<Value> (&words)[N]) {
   const std::string text = value.IsScalar() ? value.Scalar() : "";
   const auto found = std::ranges::find(words, text, &Word<Value>::word);
   if (found != std::end(words)) return found->value;
@@ -256,12 +257,12 @@ std::optional<Value> Entry::word(std::string_view key, const YAML::Node& value, 
   return std::nullopt;
 }
 
-void Entry::takeDirection(std::string_view key, const YAML::Node& value) {
+void RuleMap::takeDirection(std::string_view key, const YAML::Node& value) {
   if (const auto direction = word(key, value, kDirections)) rule_.direction = *direction;
-  direction_ = Said{std::string(key), reading_.at(value)};
+  direction_ = GivenText{std::string(key), reading_.at(value)};
 }
 
-void Entry::takeLazy(std::string_view key, const YAML::Node& value) {
+void RuleMap::takeLazy(std::string_view key, const YAML::Node& value) {
   bool isLazy = false;
   if (value.IsScalar() && YAML::convert<bool>::decode(value, isLazy)) {
     isLazy_ = isLazy;
@@ -270,8 +271,8 @@ void Entry::takeLazy(std::string_view key, const YAML::Node& value) {
   }
 }
 
-void Entry::takeProfile(std::string_view key, const YAML::Node& value) {
-  const std::optional<Said> name = text(key, value);
+void RuleMap::takeProfile(std::string_view key, const YAML::Node& value) {
+  const std::optional<GivenText> name = text(key, value);
   if (!name) return;
   const auto found = std::ranges::find(kProfiles, name->text, &Profile::name);
   if (found != std::end(kProfiles)) {
@@ -284,7 +285,7 @@ void Entry::takeProfile(std::string_view key, const YAML::Node& value) {
   fail(name->position, "'" + name->text + "' is not a profile", hint.empty() ? "SENSOR_DATA, for example" : hint);
 }
 
-void Entry::takeQos(std::string_view key, const YAML::Node& value) {
+void RuleMap::takeQos(std::string_view key, const YAML::Node& value) {
   if (value.IsMap()) {
     readMap(value, kQosKeys);
   } else {
@@ -292,17 +293,17 @@ void Entry::takeQos(std::string_view key, const YAML::Node& value) {
   }
 }
 
-void Entry::takeNames() {
-  const auto exclude = [this](const std::optional<Said>& one, const char* name, const std::optional<Said>& other,
-                              const char* otherName) {
+void RuleMap::takeNames() {
+  const auto exclude = [this](const std::optional<GivenText>& one, const char* name,
+                              const std::optional<GivenText>& other, const char* otherName) {
     if (one && other) {
       fail(other->position, std::string("'") + name + "' and '" + otherName + "' can't be used together");
     }
   };
   const bool isService = rule_.isService;
-  const std::optional<Said>& both = isService ? service_ : topic_;
-  const std::optional<Said>& ros = isService ? rosService_ : rosTopic_;
-  const std::optional<Said>& ignition = isService ? ignitionService_ : ignitionTopic_;
+  const std::optional<GivenText>& both = isService ? service_ : topic_;
+  const std::optional<GivenText>& ros = isService ? rosService_ : rosTopic_;
+  const std::optional<GivenText>& ignition = isService ? ignitionService_ : ignitionTopic_;
   exclude(both, isService ? "service_name" : "topic_name", ros, isService ? "ros_service_name" : "ros_topic_name");
   exclude(both, isService ? "service_name" : "topic_name", ignition, isService ? "gz_service_name" : "gz_topic_name");
   rule_.ros = both ? both : ros ? ros : ignition;
@@ -310,7 +311,7 @@ void Entry::takeNames() {
   if (!rule_.ros && isFine_) {
     fail(reading_.at(node_), "no topic name is given", "topic_name: NAME, or ros_topic_name and gz_topic_name");
   }
-  const auto require = [this](const std::optional<Said>& word, const char* key, const char* example) {
+  const auto require = [this](const std::optional<GivenText>& word, const char* key, const char* example) {
     if (!word && isFine_) fail(reading_.at(node_), std::string("there is no '") + key + "'", example);
   };
   require(rule_.rosType, "ros_type_name",
@@ -332,21 +333,21 @@ void Entry::takeNames() {
   }
 }
 
-void Entry::takeQuality() {
-  WayRule all = profile_.value_or(WayRule());
+void RuleMap::takeQuality() {
+  DirectionRule all = profile_.value_or(DirectionRule());
   if (isReliable_) all.isReliable = isReliable_;
   if (isTransientLocal_) all.isTransientLocal = isTransientLocal_;
   if (depth_) all.depth = depth_;
   all.isLazy = isLazy_;
   rule_.toRos = rule_.fromRos = all;
-  for (const auto& [queue, way, name] : {std::tuple(publisherQueue_, &rule_.toRos, "publisher_queue"),
-                                         std::tuple(subscriberQueue_, &rule_.fromRos, "subscriber_queue")}) {
+  for (const auto& [queue, options, name] : {std::tuple(publisherQueue_, &rule_.toRos, "publisher_queue"),
+                                             std::tuple(subscriberQueue_, &rule_.fromRos, "subscriber_queue")}) {
     if (!queue) continue;
     if (depth_ && *depth_ != *queue) {
       fail(depthPosition_,
            "the depth is " + std::to_string(*depth_) + ", and " + std::to_string(*queue) + " by '" + name + "'");
     }
-    way->depth = queue;
+    options->depth = queue;
   }
 }
 
@@ -403,7 +404,7 @@ std::vector<RuleText> readBridgeText(std::string_view text, const std::string& n
         reading.error(reading.at(item), "an item of the list must be a map", "- topic_name: NAME");
         continue;
       }
-      if (std::optional<RuleText> rule = Entry(item, reading).read()) rules.push_back(std::move(*rule));
+      if (std::optional<RuleText> rule = RuleMap(item, reading).read()) rules.push_back(std::move(*rule));
     }
   } catch (const YAML::Exception& error) {
     reading.error(reading.at(error.mark), "it is not YAML: " + error.msg);

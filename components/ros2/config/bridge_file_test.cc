@@ -61,8 +61,8 @@ TEST(BridgeFile, TakesAllKeysOfATopic) {
   EXPECT_EQ(rule.rosType->text, "std_msgs/msg/String");
   EXPECT_EQ(rule.ignitionType->text, "ignition.msgs.StringMsg");
   EXPECT_EQ(rule.direction, Direction::kFromRos);
-  EXPECT_EQ(rule.toRos, (WayRule{.depth = 6, .isLazy = true, .isReliable = false, .isTransientLocal = true}));
-  EXPECT_EQ(rule.fromRos, (WayRule{.depth = 5, .isLazy = true, .isReliable = false, .isTransientLocal = true}));
+  EXPECT_EQ(rule.toRos, (DirectionRule{.depth = 6, .isLazy = true, .isReliable = false, .isTransientLocal = true}));
+  EXPECT_EQ(rule.fromRos, (DirectionRule{.depth = 5, .isLazy = true, .isReliable = false, .isTransientLocal = true}));
   EXPECT_EQ(rule.frameId->text, "map");
   EXPECT_EQ(rule.framePrefix->text, "one/");
 }
@@ -79,9 +79,9 @@ TEST(BridgeFile, GivesAMissingNameThatOfTheOtherSide) {
 }
 
 TEST(BridgeFile, TakesAProfileOfWhichSingleSettingsMayDiffer) {
-  const WayRule sensor{.depth = 5, .isReliable = false, .isTransientLocal = false};
+  const DirectionRule sensor{.depth = 5, .isReliable = false, .isTransientLocal = false};
   EXPECT_EQ(fileOf(topicWith("  qos_profile: SENSOR_DATA\n")).rules.at(0).toRos, sensor);
-  WayRule deeper = sensor;
+  DirectionRule deeper = sensor;
   deeper.depth = 7;
   const RuleText rule = fileOf(topicWith("  qos_profile: SENSOR_DATA\n  publisher_queue: 7\n")).rules.at(0);
   EXPECT_EQ(rule.toRos, deeper);

@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::size_t kTransformDepth = 100;
 
-Qos withWishes(Qos qos, const WayRule& wishes) {
+Qos withWishes(Qos qos, const DirectionRule& wishes) {
   qos.depth = wishes.depth.value_or(qos.depth);
   qos.isReliable = wishes.isReliable.value_or(qos.isReliable);
   qos.isTransientLocal = wishes.isTransientLocal.value_or(qos.isTransientLocal);

@@ -9,7 +9,7 @@
 namespace pongsim::ros2 {
 
 /// A word from the user, and its position.
-struct Said {
+struct GivenText {
   std::string text;
   SourcePosition position;
 };
@@ -19,19 +19,19 @@ struct RuleText {
   SourcePosition position;
   bool isService = false;
   /// For topics and services.
-  std::optional<Said> ros = std::nullopt;
-  std::optional<Said> ignition = std::nullopt;
-  std::optional<Said> rosType = std::nullopt;
+  std::optional<GivenText> ros = std::nullopt;
+  std::optional<GivenText> ignition = std::nullopt;
+  std::optional<GivenText> rosType = std::nullopt;
   /// For topics.
-  std::optional<Said> ignitionType = std::nullopt;
+  std::optional<GivenText> ignitionType = std::nullopt;
   /// For services.
-  std::optional<Said> requestType = std::nullopt;
-  std::optional<Said> replyType = std::nullopt;
+  std::optional<GivenText> requestType = std::nullopt;
+  std::optional<GivenText> replyType = std::nullopt;
   Direction direction = Direction::kBoth;
-  WayRule toRos = {};
-  WayRule fromRos = {};
-  std::optional<Said> framePrefix = std::nullopt;
-  std::optional<Said> frameId = std::nullopt;
+  DirectionRule toRos = {};
+  DirectionRule fromRos = {};
+  std::optional<GivenText> framePrefix = std::nullopt;
+  std::optional<GivenText> frameId = std::nullopt;
 };
 
 }  // namespace pongsim::ros2

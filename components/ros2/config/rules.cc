@@ -67,8 +67,8 @@ class Maker {
 
   void addTopic(const RuleText& text);
   void addService(const RuleText& text);
-  std::optional<std::string> rosName(const Said& said, const char* kind);
-  std::optional<std::string> ignitionName(const Said& said);
+  std::optional<std::string> rosName(const GivenText& said, const char* kind);
+  std::optional<std::string> ignitionName(const GivenText& said);
   const Pair* pairOf(const RuleText& text);
   const ServiceKind* kindOf(const RuleText& text);
   bool isSaidBefore(const TopicRule& rule);
@@ -86,7 +86,7 @@ std::string expanded(const NameScope& scope, std::string_view name) {
 }
 
 /// @param kind "topic" or "service".
-std::optional<std::string> Maker::rosName(const Said& said, const char* kind) {
+std::optional<std::string> Maker::rosName(const GivenText& said, const char* kind) {
   std::string name = expanded(scope_, said.text);
   if (const auto wrong = rosNameError(name)) {
     error(said.position, std::string(kind) + " '" + said.text + "' " + *wrong,
@@ -96,7 +96,7 @@ std::optional<std::string> Maker::rosName(const Said& said, const char* kind) {
   return name;
 }
 
-std::optional<std::string> Maker::ignitionName(const Said& said) {
+std::optional<std::string> Maker::ignitionName(const GivenText& said) {
   std::string name = scope_.expandsIgnition       ? expanded(scope_, said.text)
                      : said.text.starts_with('/') ? said.text
                                                   : "/" + said.text;
@@ -109,8 +109,8 @@ std::optional<std::string> Maker::ignitionName(const Said& said) {
 }
 
 const Pair* Maker::pairOf(const RuleText& text) {
-  const Said& ros = *text.rosType;
-  const Said& ignition = *text.ignitionType;
+  const GivenText& ros = *text.rosType;
+  const GivenText& ignition = *text.ignitionType;
   const std::optional<std::string> known = ignitionTypeOf(ignition.text);
   if (const Pair* pair = findPair(ros.text, known.value_or(ignition.text))) return pair;
   const std::string partners = partnersOf(ros.text);

@@ -132,8 +132,8 @@ TEST(Rules, JoinTheTwoWaysOfATopic) {
   ASSERT_EQ(made.rules.topics.size(), 1U);
   const TopicRule& rule = made.rules.topics[0];
   EXPECT_EQ(rule.direction, Direction::kBoth);
-  EXPECT_EQ(rule.toRos, (WayRule{.depth = 20, .isLazy = false}));
-  EXPECT_EQ(rule.fromRos, (WayRule{.depth = 5, .isLazy = true}));
+  EXPECT_EQ(rule.toRos, (DirectionRule{.depth = 20, .isLazy = false}));
+  EXPECT_EQ(rule.fromRos, (DirectionRule{.depth = 5, .isLazy = true}));
 }
 
 TEST(Rules, WarnOfWhatIsSaidTwiceAndRefuseWhatIsSaidInTwoWays) {

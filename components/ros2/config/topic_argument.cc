@@ -26,7 +26,7 @@ std::optional<RuleText> readTopicArgument(std::string_view text, const SourcePos
 
   RuleText rule;
   rule.position = position;
-  const auto said = [&](std::string_view word) { return Said{std::string(word), position}; };
+  const auto said = [&](std::string_view word) { return GivenText{std::string(word), position}; };
   rule.ros = rule.ignition = said(text.substr(0, first));
   rule.rosType = said(rest.substr(0, second));
   if (rule.rosType->text.empty()) return refuse("has no ROS type");

@@ -12,7 +12,7 @@ namespace pongsim::ros2 {
 enum class Direction { kBoth, kToRos, kFromRos };
 
 /// Options for one direction of a topic. Unset: the default for its type.
-struct WayRule {
+struct DirectionRule {
   /// To ROS: how many messages the writer keeps for its readers, at least 1. Has no effect from ROS, because messages
   /// are passed on immediately.
   std::optional<std::size_t> depth = std::nullopt;
@@ -22,7 +22,7 @@ struct WayRule {
   std::optional<bool> isLazy = std::nullopt;
   std::optional<bool> isReliable = std::nullopt;
   std::optional<bool> isTransientLocal = std::nullopt;
-  bool operator==(const WayRule&) const = default;
+  bool operator==(const DirectionRule&) const = default;
 };
 
 /// A topic that is bridged by a rule.
@@ -33,8 +33,8 @@ struct TopicRule {
   std::string ignition;
   const Pair* pair = nullptr;
   Direction direction = Direction::kBoth;
-  WayRule toRos;
-  WayRule fromRos;
+  DirectionRule toRos;
+  DirectionRule fromRos;
   /// Prefix for frame names; unset: that of the whole bridge.
   std::optional<std::string> framePrefix = std::nullopt;
   /// If not empty, the frame of all messages to ROS, used unchanged.

@@ -24,28 +24,28 @@ EntityFilter::EntityFilter() = default;
 EntityFilter::EntityFilter(EntityFilter&&) noexcept = default;
 EntityFilter::~EntityFilter() = default;
 
-std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& asked, Result& result) {
+std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& request, Result& result) {
   EntityFilter filter;
-  filter.asked_ = asked;
-  if (!asked.filter.empty()) {
-    filter.names_ = std::make_unique<RE2>(asked.filter, posixExtended());
+  filter.request_ = request;
+  if (!request.filter.empty()) {
+    filter.names_ = std::make_unique<RE2>(request.filter, posixExtended());
     if (!filter.names_->ok()) {
-      result = failed("filter '" + asked.filter.substr(0, 100) +
+      result = failed("filter '" + request.filter.substr(0, 100) +
                       "' is not a regular expression (POSIX Extended): " + filter.names_->error().substr(0, 200));
       return std::nullopt;
     }
   }
-  if (const auto error = filterError(asked.tags)) {
+  if (const auto error = filterError(request.tags)) {
     result = failed(*error);
     return std::nullopt;
   }
-  if (asked.bounds.type > si::Bounds::kTypeSphere) {
+  if (request.bounds.type > si::Bounds::kTypeSphere) {
     result = refused(Result::kResultFeatureUnsupported,
-                     "there is no type " + std::to_string(asked.bounds.type) + " of bounds");
+                     "there is no type " + std::to_string(request.bounds.type) + " of bounds");
     return std::nullopt;
   }
-  if (asked.bounds.type != si::Bounds::kTypeEmpty) {
-    Outcome<Region> region = Region::from(asked.bounds);
+  if (request.bounds.type != si::Bounds::kTypeEmpty) {
+    Outcome<Region> region = Region::from(request.bounds);
     if (!region) {
       result = failed(region.error);
       return std::nullopt;
@@ -58,10 +58,11 @@ std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& asked, R
 bool EntityFilter::takes(const Model& model, const EntityInfos& infos) const {
   if (names_ && !RE2::PartialMatch(model.scopedName(), *names_)) return false;
   const si::EntityInfo info = infos.of(model);
-  if (!asked_.categories.empty() && std::ranges::find(asked_.categories, info.category) == asked_.categories.end()) {
+  if (!request_.categories.empty() &&
+      std::ranges::find(request_.categories, info.category) == request_.categories.end()) {
     return false;
   }
-  return matches(asked_.tags, info.tags) && (!region_ || region_->overlaps(model));
+  return matches(request_.tags, info.tags) && (!region_ || region_->overlaps(model));
 }
 
 }  // namespace pongsim::ros2

@@ -16,9 +16,9 @@ namespace pongsim::ros2 {
 /// Selects entities as a request asks.
 class EntityFilter {
  public:
-  /// @param asked An entity must match all of it.
+  /// @param request An entity must match all of it.
   /// @param result Why there is no filter: an invalid expression, or bounds that are invalid or of an unknown type.
-  static std::optional<EntityFilter> from(const simulation_interfaces::EntityFilters& asked, Result& result);
+  static std::optional<EntityFilter> from(const simulation_interfaces::EntityFilters& request, Result& result);
 
   EntityFilter(EntityFilter&&) noexcept;
   ~EntityFilter();
@@ -27,7 +27,7 @@ class EntityFilter {
 
  private:
   EntityFilter();
-  simulation_interfaces::EntityFilters asked_;
+  simulation_interfaces::EntityFilters request_;
   /// Matched anywhere in names; null: all match.
   std::unique_ptr<re2::RE2> names_;
   std::optional<Region> region_;

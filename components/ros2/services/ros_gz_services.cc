@@ -84,14 +84,14 @@ void RosGzServices::offer(const std::string& target, const std::vector<std::stri
   const auto complaints = std::make_shared<Complaints>();
   const auto handle = [this, target, complaints, convert = std::move(convert)](const typename Service::Request& request,
                                                                                const Responder<Service>& responder) {
-    const auto tell = [this, target, complaints, responder](const std::string& error) {
+    const auto answer = [this, target, complaints, responder](const std::string& error) {
       if (!error.empty()) complaints->warn(log_, "service '" + target + "': " + error);
       responder.answer({error.empty()});
     };
     Request message;
-    if (const Refusal refusal = convert(request, message)) return tell(*refusal);
-    if (!requests_.send(target, message, ignition::msgs::Boolean::descriptor()->full_name(), tell)) {
-      tell("nothing controls this simulation: a program steps it itself");
+    if (const Refusal refusal = convert(request, message)) return answer(*refusal);
+    if (!requests_.send(target, message, ignition::msgs::Boolean::descriptor()->full_name(), answer)) {
+      answer("nothing controls this simulation: a program steps it itself");
     }
   };
   for (const std::string& name : offeredAs) offers_.add<Service>(name, handle);

@@ -43,8 +43,8 @@ void SimulateSteps::start(const Goals::Id& id, std::uint64_t steps) {
 }
 
 void SimulateSteps::askForSteps() {
-  const std::uint64_t count = std::min(running_->steps - running_->asked, kMostAtOnce);
-  running_->asked += count;
+  const std::uint64_t count = std::min(running_->steps - running_->requested, kMostAtOnce);
+  running_->requested += count;
   running_->isTaken = false;
   ignition::msgs::WorldControl request;
   request.set_pause(true);
@@ -94,7 +94,7 @@ void SimulateSteps::postUpdate(const StepInfo& info) {
   if (!running_ || info.paused) return;
   running_->completed = info.iteration - running_->first;
   server_.publishFeedback(running_->id, {running_->completed, running_->steps - running_->completed});
-  if (running_->completed == running_->asked && running_->asked < running_->steps) askForSteps();
+  if (running_->completed == running_->requested && running_->requested < running_->steps) askForSteps();
 }
 
 void SimulateSteps::reset() {

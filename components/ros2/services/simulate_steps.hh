@@ -39,7 +39,7 @@ class SimulateSteps {
     std::uint64_t first = 0;
     std::uint64_t completed = 0;
     /// Number of steps requested so far, not counting `first`.
-    std::uint64_t asked = 0;
+    std::uint64_t requested = 0;
     /// Whether the run has accepted the request: from then on a pause means the end.
     bool isTaken = false;
     bool isStopping = false;

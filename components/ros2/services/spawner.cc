@@ -68,32 +68,32 @@ std::optional<std::string> nameSpaceError(const std::string& nameSpace) {
   return rosNameError(absoluteName("/", nameSpace));
 }
 
-void Spawner::spawn(const si::SpawnEntity& asked, Spawned spawned) {
+void Spawner::spawn(const si::SpawnEntity& request, Spawned spawned) {
   const auto refuse = [&spawned](std::uint8_t code, std::string why) { spawned({refused(code, std::move(why)), {}}); };
-  if (const auto error = entityNameError(asked.name)) {
-    return refuse(SpawnResult::kNameInvalid, "the name '" + asked.name.substr(0, 100) + "' " + *error);
+  if (const auto error = entityNameError(request.name)) {
+    return refuse(SpawnResult::kNameInvalid, "the name '" + request.name.substr(0, 100) + "' " + *error);
   }
-  if (const auto error = asked.entity_namespace.empty() ? std::nullopt : nameSpaceError(asked.entity_namespace)) {
+  if (const auto error = request.entity_namespace.empty() ? std::nullopt : nameSpaceError(request.entity_namespace)) {
     return refuse(SpawnResult::kNamespaceInvalid,
-                  "the namespace '" + asked.entity_namespace.substr(0, 100) + "' " + *error);
+                  "the namespace '" + request.entity_namespace.substr(0, 100) + "' " + *error);
   }
-  if (const auto error = poseError(asked.initial_pose.pose)) return refuse(SpawnResult::kInvalidPose, *error);
-  Outcome<MovingFrame> frame = finder_.frame(asked.initial_pose.header.frame_id);
+  if (const auto error = poseError(request.initial_pose.pose)) return refuse(SpawnResult::kInvalidPose, *error);
+  Outcome<MovingFrame> frame = finder_.frame(request.initial_pose.header.frame_id);
   if (!frame) return refuse(SpawnResult::kInvalidPose, frame.error);
 
   Result result;
-  const std::optional<ModelTemplate> model = read(asked.entity_resource, result);
+  const std::optional<ModelTemplate> model = read(request.entity_resource, result);
   if (!model) return spawned({result, {}});
-  const std::string& name = asked.name.empty() ? model->name() : asked.name;
+  const std::string& name = request.name.empty() ? model->name() : request.name;
   if (name.empty()) return refuse(SpawnResult::kNameInvalid, "neither the request nor the resource contains a name");
   if (const auto error = entityNameError(name)) {
     return refuse(SpawnResult::kNameInvalid, "the resource's name '" + name.substr(0, 100) + "' " + *error);
   }
   insert(*model,
          {.name = name,
-          .pose = frame->pose * poseOf(asked.initial_pose.pose),
-          .allowRenaming = asked.allow_renaming,
-          .nameSpace = asked.entity_namespace.empty() ? "" : absoluteName("/", asked.entity_namespace)},
+          .pose = frame->pose * poseOf(request.initial_pose.pose),
+          .allowRenaming = request.allow_renaming,
+          .nameSpace = request.entity_namespace.empty() ? "" : absoluteName("/", request.entity_namespace)},
          std::move(spawned));
 }
 
@@ -141,15 +141,15 @@ std::optional<ModelTemplate> Spawner::readAddress(const std::string& uri, Diagno
 }
 
 void Spawner::insert(const ModelTemplate& model, const InsertOptions& options, Spawned spawned) {
-  const auto tell = std::make_shared<Spawned>(std::move(spawned));
-  const std::uint64_t owed = owed_.owe([tell] {
-    (*tell)({failed("the world was reset before the entity was spawned"), {}});
+  const auto answer = std::make_shared<Spawned>(std::move(spawned));
+  const std::uint64_t owed = owed_.owe([answer] {
+    (*answer)({failed("the world was reset before the entity was spawned"), {}});
   });
-  edits_.insert(model, options, [this, tell, owed, name = options.name](const Outcome<Model>& inserted) {
+  edits_.insert(model, options, [this, answer, owed, name = options.name](const Outcome<Model>& inserted) {
     if (!owed_.settle(owed)) return;
-    if (inserted.value) return (*tell)({succeeded(), std::string(inserted.value->name())});
+    if (inserted.value) return (*answer)({succeeded(), std::string(inserted.value->name())});
     const bool isTaken = !finder_.world().isNameFree(name);
-    (*tell)({refused(isTaken ? SpawnResult::kNameNotUnique : Result::kResultOperationFailed, inserted.error), {}});
+    (*answer)({refused(isTaken ? SpawnResult::kNameNotUnique : Result::kResultOperationFailed, inserted.error), {}});
   });
 }
 
@@ -163,11 +163,11 @@ void Spawner::remove(const std::string& name, std::function<void(const Result&)>
 }
 
 void Spawner::remove(const Model& model, std::function<void(const Result&)> done) {
-  const auto tell = std::make_shared<std::function<void(const Result&)>>(std::move(done));
+  const auto answer = std::make_shared<std::function<void(const Result&)>>(std::move(done));
   const std::uint64_t owed =
-      owed_.owe([tell] { (*tell)(failed("the world was reset before the entity was deleted")); });
-  edits_.remove(model, [this, tell, owed](const std::optional<std::string>& refusal) {
-    if (owed_.settle(owed)) (*tell)(refusal ? failed(*refusal) : succeeded());
+      owed_.owe([answer] { (*answer)(failed("the world was reset before the entity was deleted")); });
+  edits_.remove(model, [this, answer, owed](const std::optional<std::string>& refusal) {
+    if (owed_.settle(owed)) (*answer)(refusal ? failed(*refusal) : succeeded());
   });
 }
 

@@ -24,7 +24,7 @@ class Spawner {
   Spawner(const EntityFinder& finder, WorldEdits& edits) : finder_(finder), edits_(edits) {}
 
   /// @param spawned Called once, possibly before this returns.
-  void spawn(const simulation_interfaces::SpawnEntity& asked, Spawned spawned);
+  void spawn(const simulation_interfaces::SpawnEntity& request, Spawned spawned);
 
   /// @param name Of a top-level model.
   /// @param done Called once, possibly before this returns.

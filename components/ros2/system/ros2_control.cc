@@ -75,7 +75,7 @@ class Ros2Control final : public System {
       if (joints.empty()) continue;
       Group& group = groups_.emplace_back(JointDriver(model, std::move(joints), settings));
       nameTopics(block, group, sdf);
-      listen(group);
+      open(group);
     }
     if (groups_.empty()) {
       refuse(sdf, "there is no <ros2_control> that lists joints of model '" + model_ + "'",
@@ -99,7 +99,7 @@ class Ros2Control final : public System {
   void postUpdate(const StepInfo& info) override {
     if (info.paused || !schedule_.isDue(info.time)) return;
     for (Group& group : groups_) {
-      if (group.states.hasSubscribers()) tell(group, info.time);
+      if (group.states.hasSubscribers()) publish(group, info.time);
     }
   }
 
@@ -202,22 +202,22 @@ class Ros2Control final : public System {
         topicOr(firstOf(block.statesTopic, statesTopic_, space + "/robot_joint_states"), "/robot_joint_states");
   }
 
-  void listen(Group& group) {
+  void open(Group& group) {
     group.states = node_->advertise<ignition::msgs::Model>(group.statesTopic);
     group.commands = node_->subscribe<ignition::msgs::Model>(
-        group.commandsTopic, [this, &group](const ignition::msgs::Model& message) { obey(message, group); });
+        group.commandsTopic, [this, &group](const ignition::msgs::Model& message) { applyCommands(message, group); });
     for (const ControlledJoint& joint : group.driver.joints()) {
-      auto& told = *group.message.add_joint();
-      told.set_name(joint.name);
-      told.mutable_axis1();
+      auto& state = *group.message.add_joint();
+      state.set_name(joint.name);
+      state.mutable_axis1();
     }
     group.message.set_name(model_);
   }
 
-  void obey(const ignition::msgs::Model& message, Group& group) {
+  void applyCommands(const ignition::msgs::Model& message, Group& group) {
     const std::vector<JointCommand> commands = readCommands(message, group.driver.joints(), group.unknown);
     for (const std::string& name : group.unknown) {
-      if (said_.size() >= kMostSaid || !said_.insert(name).second) continue;
+      if (warned_.size() >= kMostWarned || !warned_.insert(name).second) continue;
       std::vector<std::string> names;
       for (const ControlledJoint& joint : group.driver.joints()) names.push_back(joint.name);
       const std::string nearest = nearestName(name, names);
@@ -263,7 +263,7 @@ class Ros2Control final : public System {
     }
   }
 
-  static void tell(Group& group, Time now) {
+  static void publish(Group& group, Time now) {
     setStamp(now, *group.message.mutable_header());
     for (int i = 0; i < group.message.joint_size(); ++i) {
       const Joint& joint = group.driver.joint(static_cast<std::size_t>(i));
@@ -275,7 +275,7 @@ class Ros2Control final : public System {
     group.states.publish(group.message);
   }
 
-  static constexpr std::size_t kMostSaid = 100;
+  static constexpr std::size_t kMostWarned = 100;
 
   std::vector<std::string> files_;
   std::string commandsTopic_;
@@ -288,7 +288,7 @@ class Ros2Control final : public System {
   std::optional<Node> node_;
   std::list<Group> groups_;
   /// Unknown joints, each reported once.
-  std::set<std::string> said_;
+  std::set<std::string> warned_;
   bool isRefusing_ = false;
   bool hasSpoken_ = false;
   bool hasBegun_ = false;
