@@ -97,9 +97,10 @@ std::string faultOf(const XMLDocument& document) {
 
 }  // namespace
 
-std::string readCollada(const std::filesystem::path& file) {
+std::string readCollada(const std::string& content) {
   XMLDocument document;
-  if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) throw std::runtime_error(faultOf(document));
+  if (document.Parse(content.data(), content.size()) != tinyxml2::XML_SUCCESS)
+    throw std::runtime_error(faultOf(document));
   XMLElement* collada = document.FirstChildElement("COLLADA");
   if (collada == nullptr) throw std::runtime_error("there is no <COLLADA>");
   removeUnused(*collada);

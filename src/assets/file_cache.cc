@@ -1,7 +1,6 @@
 #include "assets/file_cache.hh"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,10 +11,12 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "assets/file_descriptor.hh"
+#include "base/file_descriptor.hh"
 #include "base/hash.hh"
+#include "base/regular_file.hh"
 
 namespace pongsim::assets {
 
@@ -46,26 +47,9 @@ std::uint64_t hashOf(std::string_view bytes) {
   return hash.value();
 }
 
-std::optional<std::string> readWhole(const fs::path& file) {
-  // do not block if the name is a pipe
-  const FileDescriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  struct stat status {};
-  if (!open.isOpen() || ::fstat(open.number(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  const auto size = static_cast<std::uintmax_t>(status.st_size);
-  if (size < kHeader || size > kLargestFile) return std::nullopt;
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  for (std::size_t at = 0; at < bytes.size();) {
-    const ::ssize_t count = ::read(open.number(), bytes.data() + at, bytes.size() - at);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return std::nullopt;
-    at += static_cast<std::size_t>(count);
-  }
-  return bytes;
-}
-
 /// @return Why it failed; empty on success.
 std::string writeWhole(const fs::path& file, std::string_view bytes) {
-  FileDescriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  base::FileDescriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (!open.isOpen()) return std::strerror(errno);
   while (!bytes.empty()) {
     const ::ssize_t count = ::write(open.number(), bytes.data(), bytes.size());
@@ -97,8 +81,9 @@ fs::path FileCache::userFolder() {
 std::optional<std::string> FileCache::find(std::string_view name) const {
   if (folder_.empty()) return std::nullopt;
   const fs::path file = folder_ / (std::string(name) + std::string(kEnding));
-  std::optional<std::string> bytes = readWhole(file);
-  if (!bytes || !bytes->starts_with(kMagic)) return std::nullopt;
+  auto read = base::readRegularFile(file, kLargestFile);
+  auto* const bytes = std::get_if<std::string>(&read);
+  if (bytes == nullptr || bytes->size() < kHeader || !bytes->starts_with(kMagic)) return std::nullopt;
   if (numberAt(*bytes, kMagic.size()) != bytes->size() - kHeader) return std::nullopt;
   const std::uint64_t hash = numberAt(*bytes, kMagic.size() + 8);
   bytes->erase(0, kHeader);
@@ -106,7 +91,7 @@ std::optional<std::string> FileCache::find(std::string_view name) const {
   // mark it as recently used
   std::error_code ignored;
   fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
-  return bytes;
+  return std::move(*bytes);
 }
 
 std::string FileCache::keep(std::string_view name, std::string_view bytes) const {

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "assets/file_descriptor.hh"
+#include "base/file_descriptor.hh"
 #include "base/shared_library.hh"
 #include "pongsim/files/fuel_address.hh"
 #include "pongsim/log.hh"
@@ -45,7 +45,7 @@ std::optional<std::string> resourceOf(const std::string& address) {
 }
 
 /// Writes the text to a file that a process can then read as its input.
-bool fill(const FileDescriptor& file, std::string_view text) {
+bool fill(const base::FileDescriptor& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file.number(), text.data(), text.size());
     if (written < 0 && errno != EINTR) return false;
@@ -54,7 +54,7 @@ bool fill(const FileDescriptor& file, std::string_view text) {
   return ::lseek(file.number(), 0, SEEK_SET) == 0;
 }
 
-std::string readAll(const FileDescriptor& file) {
+std::string readAll(const base::FileDescriptor& file) {
   std::string text;
   char part[4096];
   while (true) {
@@ -121,11 +121,11 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
   };
   std::string text;
   for (const std::string& address : addresses) text += address + "\n";
-  const FileDescriptor input(::memfd_create("pongsim-fuel", MFD_CLOEXEC));
+  const base::FileDescriptor input(::memfd_create("pongsim-fuel", MFD_CLOEXEC));
   int ends[2] = {-1, -1};
   const bool isPipe = ::pipe2(ends, O_CLOEXEC) == 0;
-  const FileDescriptor output(ends[0]);
-  FileDescriptor childOutput(ends[1]);
+  const base::FileDescriptor output(ends[0]);
+  base::FileDescriptor childOutput(ends[1]);
   if (!isPipe || input.number() < 0 || !fill(input, text)) return fail(std::strerror(errno));
   ::pid_t child = 0;
   if (const int error = spawn(program_, input.number(), childOutput.number(), child); error != 0) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <jpeglib.h>
@@ -21,30 +22,26 @@ namespace {
 // Limit for progressive files, because each scan takes a pass over the image. Usual files have a dozen scans.
 constexpr int kMostScans = 100;
 
-/// A file being read by libjpeg. On errors the library jumps by `longjmp` to the member function that called it; these
-/// functions have no local objects with destructors.
+/// A JPEG file's content being decoded by libjpeg. On errors the library jumps by `longjmp` to the member function that
+/// called it; these functions have no local objects with destructors.
 class JpegReader {
  public:
-  explicit JpegReader(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "rb")) {
+  explicit JpegReader(std::string_view content) : content_(content) {
     info_.err = jpeg_std_error(&errors_.manager);
     errors_.manager.error_exit = fail;
     errors_.manager.emit_message = failIfDamaged;
     progress_.progress_monitor = countScans;
   }
-  ~JpegReader() {
-    jpeg_destroy_decompress(&info_);
-    if (file_ != nullptr) std::fclose(file_);
-  }
+  ~JpegReader() { jpeg_destroy_decompress(&info_); }
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
   /// @return False if it can't be read; then `reason` says why.
   bool readHeader() {
-    if (file_ == nullptr) return false;
     if (setjmp(errors_.back) != 0) return false;
     jpeg_create_decompress(&info_);
     info_.progress = &progress_;
-    jpeg_stdio_src(&info_, file_);
+    jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(content_.data()), content_.size());
     jpeg_read_header(&info_, TRUE);
     return true;
   }
@@ -68,7 +65,7 @@ class JpegReader {
   bool areInksInverted() const { return info_.saw_Adobe_marker != 0; }
   std::size_t width() const { return info_.image_width; }
   std::size_t height() const { return info_.image_height; }
-  std::string reason() const { return file_ == nullptr ? "it can't be opened" : errors_.text.data(); }
+  std::string reason() const { return errors_.text.data(); }
 
  private:
   struct Errors {
@@ -98,7 +95,7 @@ class JpegReader {
     std::longjmp(errors.back, 1);
   }
 
-  std::FILE* file_;
+  std::string_view content_;
   Errors errors_;
   jpeg_progress_mgr progress_{};
   jpeg_decompress_struct info_{};
@@ -121,8 +118,8 @@ void makeColors(std::span<std::uint8_t> pixels, bool areInverted) {
 
 }  // namespace
 
-std::variant<Picture, Problem> readJpeg(const std::filesystem::path& file, std::size_t mostPixels) {
-  JpegReader reader(file);
+std::variant<Picture, Problem> readJpeg(std::string_view content, std::size_t mostPixels) {
+  JpegReader reader(content);
   if (!reader.readHeader()) return Problem{"can't be read as a JPEG image: " + reader.reason(), {}};
   if (reader.width() * reader.height() > mostPixels) return tooManyPixels(mostPixels);
   Picture picture{reader.width(), reader.height(), {}};

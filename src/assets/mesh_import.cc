@@ -10,10 +10,12 @@
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
 
 #include "assets/collada_file.hh"
 #include "assets/mesh_file.hh"
+#include "assets/mesh_files.hh"
+#include "base/regular_file.hh"
 
 namespace pongsim::assets {
 
@@ -42,14 +44,15 @@ std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings(int dropped) 
   return settings;
 }
 
-ImportedScene import(const std::filesystem::path& file, std::string_view ending, unsigned steps,
+ImportedScene import(const std::filesystem::path& file, std::string content, std::string_view ending, unsigned steps,
                      const aiPropertyStore& settings) {
-  if (ending != ".dae") {
-    return ImportedScene(assimp().importFileExWithProperties(file.c_str(), steps, nullptr, &settings));
+  if (ending == ".dae") {
+    const std::string text = readCollada(content);
+    const auto size = static_cast<unsigned>(text.size());
+    return ImportedScene(assimp().importFileFromMemoryWithProperties(text.data(), size, steps, "dae", &settings));
   }
-  const std::string text = readCollada(file);
-  const auto size = static_cast<unsigned>(text.size());
-  return ImportedScene(assimp().importFileFromMemoryWithProperties(text.data(), size, steps, "dae", &settings));
+  MeshFiles files(file, std::move(content));
+  return ImportedScene(assimp().importFileExWithProperties(file.c_str(), steps, files.io(), &settings));
 }
 
 /// Adds the meshes of a node and of those below it.
@@ -87,18 +90,14 @@ std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& fil
   if (std::ranges::find(kEndings, ending) == kEndings.end()) {
     return Problem{"is not in a supported format", "supported formats are .dae, .stl, .obj, .glb and .gltf"};
   }
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return Problem{"can't be read: " + error.message(), {}};
-  if (size > kLargestMeshFile) {
-    return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
-  }
+  auto read = base::readRegularFile(file, kLargestMeshFile);
+  if (auto* unreadable = std::get_if<base::Unreadable>(&read)) return Problem{std::move(unreadable->reason), {}};
   try {
     // Assimp keeps error messages for the whole process
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     const auto settings = importSettings(dropped);
-    ImportedScene scene = import(file, ending, steps, *settings);
+    ImportedScene scene = import(file, std::move(std::get<std::string>(read)), ending, steps, *settings);
     if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
     return scene;
   } catch (const std::exception& problem) {

@@ -1,12 +1,12 @@
 #include "assets/picture_file.hh"
 
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "assets/jpeg_image.hh"
 #include "assets/png_image.hh"
+#include "base/regular_file.hh"
 
 namespace pongsim::assets {
 
@@ -16,26 +16,19 @@ namespace {
 constexpr std::string_view kPngStart = "\x89PNG";
 constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
 
-/// @return The first bytes of a file, enough for any signature; fewer if it is shorter.
-std::string startOf(const std::filesystem::path& file) {
-  std::string start(4, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  return start;
-}
-
 }  // namespace
 
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
+  const auto read = base::readRegularFile(file, kLargestPictureFile);
+  if (const auto* unreadable = std::get_if<base::Unreadable>(&read)) return Problem{unreadable->reason, {}};
+  const auto& content = std::get<std::string>(read);
   // by the signature, because many models have PNG files named .jpg
-  const std::string start = startOf(file);
-  if (start.starts_with(kJpegStart)) return readJpeg(file, kMostPicturePixels);
-  if (!start.starts_with(kPngStart)) {
+  if (content.starts_with(kJpegStart)) return readJpeg(content, kMostPicturePixels);
+  if (!content.starts_with(kPngStart)) {
     return Problem{"is neither a PNG nor a JPEG image", "convert images in other formats (TGA, BMP, TIFF, DDS)"};
   }
   PngImage png;
-  auto pixels = readRgba(file, kMostPicturePixels, 0, png);
+  auto pixels = readRgba(content, kMostPicturePixels, 0, png);
   if (auto* problem = std::get_if<Problem>(&pixels)) return std::move(*problem);
   return Picture{png.image.width, png.image.height, std::get<0>(std::move(pixels))};
 }

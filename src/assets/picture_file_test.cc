@@ -35,6 +35,8 @@ TEST(PictureFile, TellsWhatIsWrong) {
     ASSERT_TRUE(std::holds_alternative<Problem>(text));
     EXPECT_EQ(std::get<Problem>(text).text.find(problem), 0U) << std::get<Problem>(text).text;
   }
+  EXPECT_EQ(std::get<Problem>(readPicture(folder.path() / "gone.png")).text, "no such file");
+  EXPECT_EQ(std::get<Problem>(readPicture("/dev/zero")).text, "is a device, not a file");
   // a header that claims 10,000 x 10,000 pixels: refused before decoding
   std::string large = pongsim::test::grayPng(1, {0});
   for (const std::size_t at : {16U, 20U}) large.replace(at, 4, std::string("\0\0\x27\x10", 4));

@@ -4,10 +4,10 @@
 
 namespace pongsim::assets {
 
-std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem::path& file, std::size_t mostPixels,
+std::variant<std::vector<std::uint8_t>, Problem> readRgba(std::string_view content, std::size_t mostPixels,
                                                           png_uint_32 flags, PngImage& png) {
   png_image& image = png.image;
-  if (png_image_begin_read_from_file(&image, file.c_str()) == 0) {
+  if (png_image_begin_read_from_memory(&image, content.data(), content.size()) == 0) {
     return Problem{std::string("can't be read as a PNG image: ") + image.message, {}};
   }
   if (std::size_t{image.width} * image.height > mostPixels) return tooManyPixels(mostPixels);

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,10 +22,10 @@ struct PngImage {
   png_image image{};
 };
 
-/// Reads a file into `png`.
+/// Decodes the content of a PNG file into `png`.
 /// @param flags libpng's PNG_IMAGE_FLAG_*: how to read it.
 /// @return Its pixels row by row from the top: red, green, blue and opacity of each.
-std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem::path& file, std::size_t mostPixels,
+std::variant<std::vector<std::uint8_t>, Problem> readRgba(std::string_view content, std::size_t mostPixels,
                                                           png_uint_32 flags, PngImage& png);
 
 }  // namespace pongsim::assets

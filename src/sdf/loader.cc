@@ -102,8 +102,8 @@ class Load {
     return readElement();
   }
 
-  Reading readFile() {
-    const std::optional<std::string> text = readFileText(*name_, name_, found_);
+  Reading readFile(NamedBy by = NamedBy::kUser) {
+    const std::optional<std::string> text = readFileText(*name_, name_, by, found_);
     return text ? read(*text) : Reading();
   }
 
@@ -139,9 +139,9 @@ FileName nameOf(const std::filesystem::path& file) { return std::make_shared<con
 
 }  // namespace
 
-Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const assets::Finder& finder) {
+Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const assets::Finder& finder, NamedBy by) {
   Load load(nameOf(file), finder);
-  Reading reading = load.readFile();
+  Reading reading = load.readFile(by);
   load.report(diagnostics);
   return std::move(reading.root);
 }

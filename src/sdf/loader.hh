@@ -11,6 +11,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
 #include "sdf/frames/frame_dot.hh"
+#include "sdf/text/file_text.hh"
 
 namespace pongsim::sdf {
 
@@ -30,7 +31,7 @@ struct Root {
 /// errors.
 /// @param finder Finds included files.
 Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics,
-              const assets::Finder& finder = assets::finderFromEnvironment());
+              const assets::Finder& finder = assets::finderFromEnvironment(), NamedBy by = NamedBy::kUser);
 
 /// Like `loadFile`, from text.
 /// @param name Used in diagnostics; its folder is that of the text.

@@ -135,7 +135,7 @@ Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& inc
 }
 
 void Includes::parse(const fs::path& path, const Name& name, File& file) {
-  const std::optional<std::string> text = readFileText(path, name, diagnostics_);
+  const std::optional<std::string> text = readFileText(path, name, NamedBy::kContent, diagnostics_);
   if (!text) return;
   file.size = text->size();
   std::optional<ModelDocument> document = parseModelDocument(*text, name, diagnostics_);

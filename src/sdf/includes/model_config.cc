@@ -9,7 +9,7 @@ namespace pongsim::sdf {
 std::optional<std::filesystem::path> readModelConfig(const std::filesystem::path& file,
                                                      const std::shared_ptr<const std::string>& name,
                                                      Diagnostics& diagnostics) {
-  const std::optional<std::string> text = readFileText(file, name, diagnostics);
+  const std::optional<std::string> text = readFileText(file, name, NamedBy::kContent, diagnostics);
   if (!text) return std::nullopt;
   const std::optional<Element> root = parseDocument(*text, name, diagnostics);
   if (!root) return std::nullopt;

@@ -4,9 +4,11 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <variant>
 #include <vector>
 
 #include "base/nearest_word.hh"
+#include "base/regular_file.hh"
 
 namespace pongsim::sdf {
 
@@ -32,34 +34,42 @@ std::string hintForMissing(const fs::path& file) {
   return "did you mean '" + (file.parent_path() / nearest).string() + "'?";
 }
 
-}  // namespace
-
-std::optional<std::string> readFileText(const fs::path& file, std::shared_ptr<const std::string> name,
-                                        Diagnostics& diagnostics) {
-  const auto fail = [&](std::string message, std::string hint = {}) {
-    diagnostics.error({name}, std::move(message), std::move(hint));
-    return std::nullopt;
-  };
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (status.type() == fs::file_type::not_found) return fail("no such file", hintForMissing(file));
-  if (status.type() == fs::file_type::none) return fail("can't be read: " + error.message());
-  if (fs::is_directory(status)) return fail("is a folder, not a file", "name a world file in it");
-
+/// @return The content of what is no regular file: a pipe, or a device.
+std::variant<std::string, base::Unreadable> readStream(const fs::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return fail(std::string("can't be read: ") + std::strerror(errno));
+  if (!stream) return base::Unreadable{std::string("can't be read: ") + std::strerror(errno)};
   std::string text;
   std::vector<char> chunk(std::size_t{1} << 16U);
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), stream.gcount() > 0) {
     text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > kLargestFile) {
-      return fail("is larger than " + std::to_string(kLargestFile >> 20U) + " MiB, which is the limit");
+      return base::Unreadable{"is larger than " + std::to_string(kLargestFile >> 20U) + " MiB, which is the limit"};
     }
   }
-  if (stream.bad()) return fail("can't be read completely");
-  if (text.empty()) return fail("the file is empty");
+  if (stream.bad()) return base::Unreadable{"can't be read completely"};
   return text;
+}
+
+}  // namespace
+
+std::optional<std::string> readFileText(const fs::path& file, std::shared_ptr<const std::string> name, NamedBy by,
+                                        Diagnostics& diagnostics) {
+  const auto fail = [&](std::string message, std::string hint = {}) {
+    diagnostics.error({name}, std::move(message), std::move(hint));
+    return std::nullopt;
+  };
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::is_directory(status)) return fail("is a folder, not a file", "name a world file in it");
+  const bool isStream = by == NamedBy::kUser && fs::exists(status) && !fs::is_regular_file(status);
+  auto read = isStream ? readStream(file) : base::readRegularFile(file, kLargestFile);
+  if (const auto* unreadable = std::get_if<base::Unreadable>(&read)) {
+    return fail(unreadable->reason, status.type() == fs::file_type::not_found ? hintForMissing(file) : "");
+  }
+  auto& text = std::get<std::string>(read);
+  if (text.empty()) return fail("the file is empty");
+  return std::move(text);
 }
 
 }  // namespace pongsim::sdf

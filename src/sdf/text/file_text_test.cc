@@ -1,6 +1,10 @@
 #include "sdf/text/file_text.hh"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <thread>
 
 #include "support/temp_folder.hh"
 
@@ -9,8 +13,8 @@ namespace {
 
 class FileText : public ::testing::Test {
  protected:
-  std::optional<std::string> read(const std::filesystem::path& file) {
-    return readFileText(file, std::make_shared<const std::string>("name"), diagnostics_);
+  std::optional<std::string> read(const std::filesystem::path& file, NamedBy by = NamedBy::kUser) {
+    return readFileText(file, std::make_shared<const std::string>("name"), by, diagnostics_);
   }
 
   std::string message() const { return diagnostics_.all().size() == 1 ? format(diagnostics_.all()[0]) : ""; }
@@ -51,6 +55,26 @@ TEST_F(FileText, IsNotEmpty) {
 TEST_F(FileText, HasALargestSize) {
   EXPECT_FALSE(read("/dev/zero"));
   EXPECT_EQ(message(), "name: error: is larger than 256 MiB, which is the limit");
+}
+
+TEST_F(FileText, ThatContentNamesIsARegularFile) {
+  EXPECT_EQ(read(folder_.write("a.sdf", "x"), NamedBy::kContent), "x");
+  EXPECT_FALSE(read("/dev/zero", NamedBy::kContent));
+  EXPECT_EQ(message(), "name: error: is a device, not a file");
+  // without a writer: reading it would not end
+  const std::filesystem::path pipe = folder_.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  diagnostics_ = Diagnostics();
+  EXPECT_FALSE(read(pipe, NamedBy::kContent));
+  EXPECT_EQ(message(), "name: error: is a named pipe, not a file");
+}
+
+TEST_F(FileText, MayBeAPipeOfTheUser) {
+  const std::filesystem::path pipe = folder_.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << "some text"; });
+  EXPECT_EQ(read(pipe), "some text");
+  writer.join();
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ std::optional<ModelOrLight> ModelEdits::insertModelOrLight(const std::filesystem
   Diagnostics found;
   std::optional<ModelOrLight> inserted;
   if (const std::optional<std::filesystem::path> path = modelFile(file, found))
-    inserted = insertFirstOf(sdf::loadFile(*path, found, assets::finderIn(places_)), options, found);
+    inserted =
+        insertFirstOf(sdf::loadFile(*path, found, assets::finderIn(places_), sdf::NamedBy::kContent), options, found);
   addAll(found, diagnostics);
   return inserted;
 }
@@ -143,7 +144,7 @@ std::shared_ptr<description::Model> ModelEdits::readFirst(const std::filesystem:
                                                           Diagnostics& diagnostics) const {
   const std::optional<std::filesystem::path> found = modelFile(file, diagnostics);
   if (!found) return nullptr;
-  return firstModel(sdf::loadFile(*found, diagnostics, assets::finderIn(places_)), diagnostics);
+  return firstModel(sdf::loadFile(*found, diagnostics, assets::finderIn(places_), sdf::NamedBy::kContent), diagnostics);
 }
 
 std::optional<Model> ModelEdits::insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {

@@ -93,7 +93,7 @@ bool applyServerConfig(description::World& world, Diagnostics& diagnostics) {
     return true;
   }
   const auto name = std::make_shared<const std::string>(file.string());
-  const std::optional<std::string> text = sdf::readFileText(file, name, diagnostics);
+  const std::optional<std::string> text = sdf::readFileText(file, name, sdf::NamedBy::kUser, diagnostics);
   const std::optional<Element> root = text ? sdf::parseDocument(*text, name, diagnostics) : std::nullopt;
   if (!root) return true;
   const Element* plugins = root->child("plugins");

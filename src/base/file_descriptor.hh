@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace pongsim::assets {
+namespace pongsim::base {
 
 /// A file descriptor, closed on destruction.
 class FileDescriptor {
@@ -12,8 +12,8 @@ class FileDescriptor {
   /// @param number Negative: none is open.
   explicit FileDescriptor(int number) : number_(number) {}
   ~FileDescriptor() { close(); }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&&) = delete;
   int number() const { return number_; }
   bool isOpen() const { return number_ >= 0; }
   /// @return Whether it was open and everything was written successfully.
@@ -23,4 +23,4 @@ class FileDescriptor {
   int number_;
 };
 
-}  // namespace pongsim::assets
+}  // namespace pongsim::base
