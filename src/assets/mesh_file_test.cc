@@ -70,6 +70,8 @@ TEST_F(MeshFileTest, ReadsGlb) {
 
 TEST_F(MeshFileTest, SaysWhyAFileIsNotRead) {
   EXPECT_EQ(problemOf("no such.stl"), "no such file");
+  EXPECT_EQ(problemOf(folder_.write("huge.glb", std::string("glTF\2\0\0\0\xff\xff\xff\xff\xf0\xff\xff\xffJSON{}", 22))),
+            "can't be read as a mesh");
   EXPECT_EQ(problemOf(folder_.write("a.blend", "x")), "is not in a supported format");
   EXPECT_EQ(problemOf(folder_.write("a.dae", "<COLLADA")), "can't be read as a mesh");
   EXPECT_EQ(problemOf(folder_.write("a.stl", "")), "can't be read as a mesh");

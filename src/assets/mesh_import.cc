@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "assets/collada_file.hh"
+#include "assets/gltf_check.hh"
 #include "assets/mesh_file.hh"
 #include "assets/mesh_files.hh"
 #include "base/regular_file.hh"
@@ -51,6 +52,7 @@ ImportedScene import(const std::filesystem::path& file, std::string content, std
     const auto size = static_cast<unsigned>(text.size());
     return ImportedScene(assimp().importFileFromMemoryWithProperties(text.data(), size, steps, "dae", &settings));
   }
+  if (ending == ".glb" || ending == ".gltf") checkGltf(content);
   MeshFiles files(file, std::move(content));
   return ImportedScene(assimp().importFileExWithProperties(file.c_str(), steps, files.io(), &settings));
 }
