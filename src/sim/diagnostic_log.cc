@@ -1,5 +1,7 @@
 #include "sim/diagnostic_log.hh"
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace pongsim::sim {
@@ -14,17 +16,28 @@ std::string withoutSeverity(const Diagnostic& diagnostic) {
   return text;
 }
 
+/// One request must not fill a log.
+constexpr std::size_t kMostLines = 20;
+
 std::string tell(const Diagnostics& diagnostics, const Logger& log, bool tellsErrors) {
   std::string first;
+  std::size_t told = 0, more = 0;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
-    const std::string text = withoutSeverity(diagnostic);
-    if (diagnostic.severity == Severity::kWarning) {
-      log.warning(text);
-      continue;
+    const bool isWarning = diagnostic.severity == Severity::kWarning;
+    if (!isWarning && first.empty()) {
+      const std::string text = withoutSeverity(diagnostic);
+      first = text.substr(0, text.find('\n'));
     }
-    if (tellsErrors) log.error(text);
-    if (first.empty()) first = text.substr(0, text.find('\n'));
+    if (!isWarning && !tellsErrors) continue;
+    if (++told > kMostLines) {
+      ++more;
+    } else if (isWarning) {
+      log.warning(withoutSeverity(diagnostic));
+    } else {
+      log.error(withoutSeverity(diagnostic));
+    }
   }
+  if (more > 0) log.warning("and " + std::to_string(more) + " more errors and warnings");
   return first;
 }
 

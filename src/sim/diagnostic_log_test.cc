@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace pongsim::sim {
 namespace {
 
@@ -19,6 +22,18 @@ TEST(DiagnosticLog, TellsAllAndReturnsTheFirstErrorInALine) {
                            "error: run: a.sdf:5:6: this too"}) {
     EXPECT_NE(told.find(part), std::string::npos) << told;
   }
+}
+
+TEST(DiagnosticLog, IsNotFilledByOneRequest) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 60'000; ++i) diagnostics.warning({}, "odd " + std::to_string(i));
+  diagnostics.error({}, "this is wrong");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(logDiagnostics(diagnostics, Logger("run")), "error: this is wrong");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::ranges::count(told, '\n'), 21);
+  EXPECT_NE(told.find("odd 19\n"), std::string::npos);
+  EXPECT_NE(told.find("and 59981 more errors and warnings"), std::string::npos) << told;
 }
 
 TEST(DiagnosticLog, SaysNothingOfNothing) { EXPECT_EQ(logDiagnostics({}, Logger("run")), ""); }

@@ -3,6 +3,8 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include "sdf/text/text_cursor.hh"
@@ -24,8 +26,9 @@ std::string trimmed(std::string text) {
 /// attributes point into its copy of the text, so their offsets from the first node are known.
 class TreeCopier {
  public:
-  TreeCopier(const tinyxml2::XMLDocument& document, std::string_view text, std::shared_ptr<const std::string> file)
-      : text_(text), cursor_(text), file_(std::move(file)) {
+  TreeCopier(const tinyxml2::XMLDocument& document, std::string_view text, std::shared_ptr<const std::string> file,
+             Diagnostics& diagnostics)
+      : text_(text), cursor_(text), file_(std::move(file)), diagnostics_(diagnostics) {
     const tinyxml2::XMLNode* first = document.FirstChild();
     std::size_t markLength = 1;  // "<"
     if (first->ToComment() != nullptr) markLength = 4;
@@ -43,6 +46,7 @@ class TreeCopier {
       added.name = attribute->Name();
       added.value = attribute->Value();
       added.position = position(attribute->Name(), added.name, attribute->GetLineNum(), 0);
+      check(added.value, added.position);
     }
     std::size_t childCount = 0;
     for (const auto* child = from.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
@@ -54,9 +58,23 @@ class TreeCopier {
       if (const tinyxml2::XMLText* text = child->ToText()) to.text += text->Value();
     }
     to.text = trimmed(std::move(to.text));
+    check(to.text, to.position);
   }
 
  private:
+  /// Refuses control characters, which XML does not allow, also written as `&#27;`: in a name they would reach
+  /// terminals.
+  void check(std::string_view value, const SourcePosition& position) {
+    const auto isControl = [](unsigned char byte) {
+      return byte == 0x7f || (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r');
+    };
+    const auto found = std::ranges::find_if(value, isControl);
+    if (found == value.end()) return;
+    char code[8];
+    std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned char>(*found));
+    diagnostics_.error(position, std::string("it contains the control character ") + code, "XML does not allow it");
+  }
+
   /// @param before Number of characters between the wanted position and the name.
   SourcePosition position(const char* name, std::string_view expected, int line, std::size_t before) {
     const std::ptrdiff_t signedOffset = static_cast<std::ptrdiff_t>(anchorOffset_) + (name - anchor_);
@@ -71,6 +89,7 @@ class TreeCopier {
   std::string_view text_;
   TextCursor cursor_;
   std::shared_ptr<const std::string> file_;
+  Diagnostics& diagnostics_;
   const char* anchor_ = nullptr;
   std::size_t anchorOffset_ = 0;
 };
@@ -104,6 +123,30 @@ void warnOfEntities(const tinyxml2::XMLDocument& document, std::string_view text
   }
 }
 
+/// tinyxml2 compares each attribute with all before it.
+constexpr std::size_t kMostAttributes = 1000;
+
+/// @return Where an element with more than `kMostAttributes` begins; npos if there is none.
+std::size_t findTooManyAttributes(std::string_view text) {
+  for (std::size_t begin = text.find('<'); begin != std::string_view::npos;) {
+    std::size_t at = begin + 1;
+    for (const auto& [mark, end] : {std::pair("<!--", "-->"), std::pair("<![CDATA[", "]]>")}) {
+      if (text.substr(begin).starts_with(mark)) at = text.find(end, begin);
+    }
+    std::size_t count = 0;
+    while (at < text.size() && text[at] != '>') {
+      if (text[at] == '"' || text[at] == '\'') {
+        if (++count > kMostAttributes) return begin;
+        at = text.find(text[at], at + 1);
+        if (at == std::string_view::npos) break;
+      }
+      ++at;
+    }
+    begin = at < text.size() ? text.find('<', at) : std::string_view::npos;
+  }
+  return std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<const std::string> file,
@@ -114,6 +157,14 @@ std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<cons
     cursor.advanceTo(zero);
     diagnostics.error({std::move(file), cursor.line(), cursor.column()}, "the text contains a zero byte",
                       "is this a text file, in UTF-8?");
+    return std::nullopt;
+  }
+  if (const std::size_t wide = findTooManyAttributes(text); wide != std::string_view::npos) {
+    TextCursor cursor(text);
+    cursor.advanceTo(wide);
+    diagnostics.error(
+        {std::move(file), cursor.line(), cursor.column()},
+        "an element has more than " + std::to_string(kMostAttributes) + " attributes, which is the limit");
     return std::nullopt;
   }
   tinyxml2::XMLDocument document;
@@ -129,7 +180,7 @@ std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<cons
     return std::nullopt;
   }
   std::optional<Element> copied(std::in_place);
-  TreeCopier(document, text, std::move(file)).copy(*root, *copied);
+  TreeCopier(document, text, std::move(file), diagnostics).copy(*root, *copied);
   return copied;
 }
 

@@ -80,6 +80,30 @@ TEST_F(Document, RefusesAZeroByte) {
   EXPECT_EQ(message(), "d.sdf:2:1: error: the text contains a zero byte\n  hint: is this a text file, in UTF-8?");
 }
 
+TEST_F(Document, RefusesControlCharactersHoweverTheyAreWritten) {
+  parse("<sdf>\n <a name=\"x\x1b[31m\"/></sdf>");
+  EXPECT_EQ(message(), "d.sdf:2:5: error: it contains the control character U+001B\n  hint: XML does not allow it");
+  diagnostics_ = Diagnostics();
+  parse("<sdf><a>&#27;</a></sdf>");
+  EXPECT_EQ(message(), "d.sdf:1:6: error: it contains the control character U+001B\n  hint: XML does not allow it");
+  diagnostics_ = Diagnostics();
+  EXPECT_TRUE(parse("<sdf><a b='\t'>x\ty\r\n\xC3\xA4</a></sdf>"));
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(Document, TakesAttributesToTheLimitAndNoMore) {
+  const auto wide = [](int count, const std::string& before) {
+    std::string text = "<sdf>\n" + before + "<a";
+    for (int i = 0; i < count; ++i) text += " b" + std::to_string(i) + "=\"it's > 1\"";
+    return text + "/></sdf>";
+  };
+  EXPECT_TRUE(parse(wide(1000, "")));
+  EXPECT_FALSE(parse(wide(1001, "<!-- \" > -->")));
+  EXPECT_EQ(message(), "d.sdf:2:13: error: an element has more than 1000 attributes, which is the limit");
+  // in a time that grows with the text, not with its square
+  EXPECT_FALSE(parse(wide(1'000'000, "<![CDATA[ < ' ]]>")));
+}
+
 TEST_F(Document, RefusesATextWithoutElements) {
   EXPECT_FALSE(parse(" \n "));
   EXPECT_EQ(message(), "d.sdf: error: this file contains no XML");
