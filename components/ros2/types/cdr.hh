@@ -15,6 +15,9 @@
 
 /// Plain CDR, ROS 2's wire format: four bytes that name the encoding, then the fields. Each number is aligned to its
 /// own size, counted from after those four bytes (OMG DDS-XTypes 1.3, 7.4.1, encoding version 1).
+///
+/// Fast CDR is not used, although Fast DDS brings it: it allocates as many elements as a message claims, before it looks
+/// how many bytes are left, its errors do not name a field, and it has no place for pixels that are written directly.
 namespace pongsim::ros2 {
 
 /// Size of the encoding's name.

@@ -1,19 +1,18 @@
 #include "ros2/types/sha256.hh"
 
-#include <openssl/evp.h>
+#include <openssl/sha.h>
 
 #include <array>
-#include <stdexcept>
 
 namespace pongsim::ros2 {
 
 std::string sha256(std::string_view text) {
-  std::array<unsigned char, 32> hash{};
-  if (EVP_Digest(text.data(), text.size(), hash.data(), nullptr, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL can't compute a SHA-256");
-  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> hash{};
+  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), hash.data());
   std::string digits;
-  for (const unsigned char byte : hash) digits += {kDigits[byte >> 4U], kDigits[byte & 15U]};
+  for (const unsigned char byte : hash) {
+    for (const int shift : {4, 0}) digits += "0123456789abcdef"[(byte >> shift) & 0xf];
+  }
   return digits;
 }
 
