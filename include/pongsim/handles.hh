@@ -96,8 +96,7 @@ class PONGSIM_API Link {
   /// @return Its mass properties; constant.
   MassInfo mass() const;
   /// Moves the link, between two steps. A link connected by a joint can't be moved.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setPose(const Pose& X_WorldLink, AfterMove after = AfterMove::kKeepVelocity);
+  Outcome<void> setPose(const Pose& X_WorldLink, AfterMove after = AfterMove::kKeepVelocity);
   /// @return Its model.
   Model model() const;
   /// @return Its name with its models: "outer::inner::link".
@@ -221,10 +220,9 @@ class PONGSIM_API Joint {
   /// Moves the axis to a position [rad or m] between two steps, together with everything connected to the child by
   /// other joints; velocities rotate along. Limits are ignored. Refused if other joints also connect the child to the
   /// parent or the world.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> resetPosition(double position, int axis = 0);
+  Outcome<void> resetPosition(double position, int axis = 0);
   /// The same for the velocity of the axis [rad/s or m/s].
-  std::optional<std::string> resetVelocity(double velocity, int axis = 0);
+  Outcome<void> resetVelocity(double velocity, int axis = 0);
   /// @return Its type in SDF: "revolute".
   std::string_view type() const;
   /// @return The parent link; nothing if that is the world.
@@ -295,8 +293,7 @@ class PONGSIM_API Model {
   /// Moves the model frame, between two steps, with all links of the model and its nested models; their poses in the
   /// model stay the same. Static models can be moved too. Refused if a joint connects the model to something outside of
   /// it.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setPose(const Pose& X_WorldModel, AfterMove after = AfterMove::kKeepVelocity);
+  Outcome<void> setPose(const Pose& X_WorldModel, AfterMove after = AfterMove::kKeepVelocity);
   /// @return The commands to the model's actuators by number, such as rotor speeds [rad/s]; null if none were given.
   /// Valid until the next command, the removal of the model or a reset; do not keep the pointer.
   const std::vector<double>* actuators() const;
@@ -348,8 +345,7 @@ class PONGSIM_API World {
   /// @return Gravity in the world frame [m/s^2].
   Vector3 gravity() const;
   /// Sets gravity from the next step on [m/s^2].
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setGravity(const Vector3& gravity);
+  Outcome<void> setGravity(const Vector3& gravity);
   /// @return The top-level models in the order of the file, followed by inserted ones.
   std::vector<Model> models() const;
   /// @param name A model's name; for nested ones "outer::inner".
@@ -370,8 +366,7 @@ class PONGSIM_API World {
   /// @return The joint, which belongs to no model, or why it was refused.
   Outcome<Joint> attach(const Link& parent, const Link& child, std::string_view name = {});
   /// Removes a joint, made by `attach` or from the file.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> detach(const Joint& joint);
+  Outcome<void> detach(const Joint& joint);
   /// @return The `<frame>`s of the world in the order of the file. A frame attached to a link moves with it, and is
   /// left out if the link does not exist.
   std::vector<WorldFrame> frames() const;
@@ -389,26 +384,24 @@ class PONGSIM_API World {
   /// Sets the world's place on the earth.
   /// @param origin Of the world frame.
   /// @param heading Of its x axis, anticlockwise from east [rad].
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
+  Outcome<void> setPlace(const GeodeticPosition& origin, double heading);
   /// @return Wind velocity, world frame [m/s]: `<wind>` of the world unless changed. By itself it moves nothing.
   Vector3 wind() const;
   /// Sets the wind velocity, world frame [m/s].
-  /// @return Why it was refused (faster than `kFastestWind`), or nothing.
-  std::optional<std::string> setWind(const Vector3& wind);
+  /// Refused if it is faster than `kFastestWind`.
+  Outcome<void> setWind(const Vector3& wind);
   /// @return The desired real-time factor, simulated seconds per second: `<real_time_factor>` unless changed; 0: as
   /// fast as possible.
   double realTimeFactor() const;
   /// Changes the desired real-time factor until the world is reset.
-  /// @return Why it was refused (not finite, or below 0), or nothing.
-  std::optional<std::string> setRealTimeFactor(double factor);
+  /// Refused if it is not finite or below 0.
+  Outcome<void> setRealTimeFactor(double factor);
   /// Replaces `performers` by the existing ones, whether levels are used or not.
   void performers(std::vector<Performer>& performers) const;
   /// Makes a top-level model a performer, until it is removed or the world is reset.
   /// @param size Side lengths of its box [m].
   /// @param name Of the performer; empty: "perf_" and the model's name.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> addPerformer(const Model& model, const Vector3& size, std::string_view name = {});
+  Outcome<void> addPerformer(const Model& model, const Vector3& size, std::string_view name = {});
 
  private:
   friend class Actor;

@@ -132,11 +132,10 @@ class PONGSIM_API Simulation {
 
   /// Removes a top-level model with all its parts, its systems, and joints connected to it. Handles to them throw
   /// `Gone` afterwards.
-  /// @return Why it was refused, or nothing; likewise below.
-  std::optional<std::string> remove(const Model& model);
+  Outcome<void> remove(const Model& model);
   /// Removes several models or, if one can't be removed, none. Faster than one by one, which moves the state of all
   /// later models each time.
-  std::optional<std::string> remove(std::span<const Model> models);
+  Outcome<void> remove(std::span<const Model> models);
 
   /// Adds a light to the world.
   /// @param light An ignition.msgs.Light.
@@ -146,14 +145,14 @@ class PONGSIM_API Simulation {
   /// missing values become 0 or false, since the message can't distinguish them.
   /// @param light An ignition.msgs.Light that identifies it by `id`, or by `name` with the `parent_id` of its link, of
   /// the world, or 0.
-  std::optional<std::string> changeLight(const Message& light);
+  Outcome<void> changeLight(const Message& light);
   /// Removes a light of the world.
   /// @param id 0: use the name.
-  std::optional<std::string> removeLight(LightId id, const std::string& name);
+  Outcome<void> removeLight(LightId id, const std::string& name);
 
   /// Makes a top-level model a performer, with a box of 2 m around its origin: levels are loaded around it. A model
   /// that does not exist yet, or is in an unloaded level, becomes a performer when it is added or loaded.
-  std::optional<std::string> addPerformer(const std::string& model);
+  Outcome<void> addPerformer(const std::string& model);
 
   /// @return Whether there is a model with that name in an unloaded level.
   bool isSetAside(const std::string& model) const;
@@ -161,10 +160,10 @@ class PONGSIM_API Simulation {
   std::size_t countSetAside() const;
 
   /// @param size Above zero, up to `kLongestStep`.
-  std::optional<std::string> setStepSize(Time size);
+  Outcome<void> setStepSize(Time size);
 
   /// @param factor Simulated seconds per second; 0: as fast as possible.
-  std::optional<std::string> setRealTimeFactor(double factor);
+  Outcome<void> setRealTimeFactor(double factor);
 
   /// Resets the world to its start: time zero, and state, step size, gravity and random numbers with the same bits.
   /// Inserted models and added joints are removed; removed models return with their systems, whose errors are added to
@@ -175,8 +174,7 @@ class PONGSIM_API Simulation {
   /// Sets the simulated time, forwards or backwards, in a world without physics. The systems' `reset` is called; a
   /// system that plays a recording moves everything to its state at that time in the next step, even while paused.
   /// @param time Zero or more.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setTime(Time time);
+  Outcome<void> setTime(Time time);
 
   /// @return Everything that the next steps depend on: time, poses, velocities, joints and their drives, contact points
   /// with their forces, step size, gravity, random streams, and the state of systems that save it (`System::transfer`).
@@ -185,13 +183,12 @@ class PONGSIM_API Simulation {
 
   /// Restores a saved state, from which the world continues with the same bits. It must be the same world with the same
   /// seed, models, systems and joints; otherwise it is refused.
-  std::optional<std::string> restoreState(std::span<const std::byte> state);
+  Outcome<void> restoreState(std::span<const std::byte> state);
 
   static constexpr Time kLongestStep = std::chrono::seconds(1);
 
   /// Adds a folder to search for inserted models and their files, after the existing ones. Only for this simulation.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> addResourceFolder(const std::filesystem::path& folder);
+  Outcome<void> addResourceFolder(const std::filesystem::path& folder);
   /// @return The folders that are searched, in this order.
   std::vector<std::filesystem::path> resourceFolders() const;
   /// @return The file or folder of an address such as "model://box"; nothing if it was not found.

@@ -88,7 +88,7 @@ class PONGSIM_API System {
 };
 
 /// Version of the interface between system libraries and pongsim. Libraries with another version are not loaded.
-inline constexpr std::uint32_t kAbiVersion = 6;
+inline constexpr std::uint32_t kAbiVersion = 7;
 
 /// A system in a library.
 struct SystemEntry {

@@ -54,7 +54,7 @@ class PONGSIM_API WorldEdits {
   /// Called with the model, or why there is none.
   using Inserted = std::function<void(const Outcome<Model>&)>;
   /// Called with the reason why the model still exists; nothing if it was removed.
-  using Removed = std::function<void(const std::optional<std::string>&)>;
+  using Removed = std::function<void(const Outcome<void>&)>;
 
   ~WorldEdits();
   WorldEdits(const WorldEdits&) = delete;

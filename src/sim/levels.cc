@@ -28,8 +28,8 @@ const world::ActorRecord* actorNamed(const world::Entities& entities, std::strin
   return found == entities.actors().end() ? nullptr : &*found;
 }
 
-/// @return Of each model, the first one of those that joints hold together with it, and which are held by none of the
-/// others; nested ones count as what holds them.
+/// @return For each model the number of its cluster: the slot of the first of the top-level models that joints connect,
+/// directly or through others. Nested models are in the cluster of their parent.
 std::vector<world::Slot> clustersOf(const world::Entities& entities) {
   std::vector<world::Slot> parents(entities.models().size());
   for (world::Slot slot = 0; slot < parents.size(); ++slot) {
@@ -55,20 +55,20 @@ std::vector<world::Slot> clustersOf(const world::Entities& entities) {
 
 }  // namespace
 
-void Levels::start(Access& access) {
-  readZones(access);
-  readPerformers(access);
+void Levels::start() {
+  readZones();
+  readPerformers();
   awaited_.clear();
   isHeld_ = false;
   isNew_ = true;
-  changes_ = access.changes;
+  changes_ = access_.changes;
 }
 
-void Levels::readZones(const Access& access) {
+void Levels::readZones() {
   zones_.clear();
   members_.clear();
   if (!areUsed_) return;
-  const world::Entities& entities = access.entities;
+  const world::Entities& entities = access_.entities;
   std::unordered_map<std::uint64_t, std::size_t> places;
   const auto add = [&](Kind kind, std::uint64_t id) {
     const auto [place, isNew] = places.emplace(id, members_.size());
@@ -90,64 +90,65 @@ void Levels::readZones(const Access& access) {
   }
 }
 
-void Levels::readPerformers(Access& access) {
+void Levels::readPerformers() {
   // after a reset they have their ids again
-  std::erase_if(performers_, [](const Part& performer) { return !performer.isOfFile; });
-  const std::vector<Part> before = std::exchange(performers_, {});
-  for (const description::Performer& performer : access.entities.description().levels.performers) {
-    Part part;
-    part.id = performers_.size() < before.size() ? before[performers_.size()].id : access.entities.nextId();
-    part.name = performer.name;
-    part.size = performer.size;
-    part.isOfFile = true;
-    const world::Slot model = access.entities.findModel(performer.ref);
-    const world::ActorRecord* actor = actorNamed(access.entities, performer.ref);
-    if (model != world::kNoSlot) part.model = access.entities.models()[model].id;
-    part.actor = model == world::kNoSlot && actor != nullptr ? actor->description : nullptr;
-    performers_.push_back(std::move(part));
+  std::erase_if(performers_, [](const PerformerOfLevels& performer) { return !performer.isOfFile; });
+  const std::vector<PerformerOfLevels> before = std::exchange(performers_, {});
+  for (const description::Performer& performer : access_.entities.description().levels.performers) {
+    PerformerOfLevels added;
+    added.id = performers_.size() < before.size() ? before[performers_.size()].id : access_.entities.nextId();
+    added.name = performer.name;
+    added.size = performer.size;
+    added.isOfFile = true;
+    const world::Slot model = access_.entities.findModel(performer.ref);
+    const world::ActorRecord* actor = actorNamed(access_.entities, performer.ref);
+    if (model != world::kNoSlot) added.model = access_.entities.models()[model].id;
+    added.actor = model == world::kNoSlot && actor != nullptr ? actor->description : nullptr;
+    performers_.push_back(std::move(added));
   }
 }
 
-std::optional<Pose> Levels::poseOf(const Access& access, const Part& performer) const {
-  if (performer.actor != nullptr) return world::actorPose(*performer.actor, access.state);
-  const world::Slot slot = access.entities.slot(performer.model);
+std::optional<Pose> Levels::poseOf(const PerformerOfLevels& performer) const {
+  if (performer.actor != nullptr) return world::actorPose(*performer.actor, access_.state);
+  const world::Slot slot = access_.entities.slot(performer.model);
   if (slot == world::kNoSlot) return std::nullopt;
-  return world::modelPose(access.entities, access.state, slot);
+  return world::modelPose(access_.entities, access_.state, slot);
 }
 
 bool Levels::isPerforming(ModelId model) const {
-  return std::ranges::any_of(performers_, [model](const Part& performer) { return performer.model == model; });
+  return std::ranges::any_of(performers_,
+                             [model](const PerformerOfLevels& performer) { return performer.model == model; });
 }
 
-std::optional<std::string> Levels::add(Access& access, ModelId model, std::string name, const Vector3& size) {
-  const world::Slot slot = access.entities.slot(model);
-  if (slot == world::kNoSlot) return "the model no longer exists";
-  const world::ModelRecord& record = access.entities.models()[slot];
-  if (record.parent != world::kNoSlot) return "model '" + record.scopedName + "' is part of another model";
-  if (isPerforming(model)) return "model '" + record.scopedName + "' is already a performer";
-  if (!size.allFinite() || !(size.minCoeff() > 0)) return "the size of a performer must be three numbers above zero";
+Outcome<void> Levels::add(ModelId model, std::string name, const Vector3& size) {
+  const world::Slot slot = access_.entities.slot(model);
+  if (slot == world::kNoSlot) return {"the model no longer exists"};
+  const world::ModelRecord& record = access_.entities.models()[slot];
+  if (record.parent != world::kNoSlot) return {"model '" + record.scopedName + "' is part of another model"};
+  if (isPerforming(model)) return {"model '" + record.scopedName + "' is already a performer"};
+  if (!size.allFinite() || !(size.minCoeff() > 0)) return {"the size of a performer must be three numbers above zero"};
   if (name.empty()) name = "perf_" + record.scopedName;
-  performers_.push_back({access.entities.nextId(), std::move(name), model, nullptr, size, false});
-  return std::nullopt;
+  performers_.push_back({access_.entities.nextId(), std::move(name), model, nullptr, size, false});
+  return {};
 }
 
-void Levels::addAwaited(Access& access) {
+void Levels::addAwaited() {
   std::erase_if(awaited_, [&](const std::string& name) {
-    const world::Slot slot = access.entities.findModel(name);
-    if (slot == world::kNoSlot || access.entities.models()[slot].parent != world::kNoSlot) return false;
-    if (const auto refusal = add(access, access.entities.models()[slot].id, {}, kPerformerSize))
-      levelLog().warning(*refusal);
+    const world::Slot slot = access_.entities.findModel(name);
+    if (slot == world::kNoSlot || access_.entities.models()[slot].parent != world::kNoSlot) return false;
+    const Outcome<void> added = add(access_.entities.models()[slot].id, {}, kPerformerSize);
+    if (!added) levelLog().warning(added.error);
     return true;
   });
 }
 
-void Levels::listPerformers(const Access& access, std::vector<Performer>& performers) const {
+void Levels::listPerformers(std::vector<Performer>& performers) const {
   performers.clear();
-  for (const Part& part : performers_) {
-    const std::optional<Pose> pose = poseOf(access, part);
+  for (const PerformerOfLevels& each : performers_) {
+    const std::optional<Pose> pose = poseOf(each);
     if (!pose) continue;
     performers.push_back(
-        {part.id, part.name, part.actor == nullptr ? std::optional(part.model) : std::nullopt, *pose, part.size});
+        {each.id, each.name, each.actor == nullptr ? std::optional(each.model) : std::nullopt, *pose, each.size});
   }
 }
 
@@ -157,19 +158,19 @@ std::vector<std::pair<std::string_view, bool>> Levels::list() const {
   return levels;
 }
 
-void Levels::update(Access& access) {
-  if (!awaited_.empty()) addAwaited(access);
+void Levels::update() {
+  if (!awaited_.empty()) addAwaited();
   if (!areUsed_) return;
-  const bool isToBeSeen = isHeld_ && changes_ != access.changes;
-  if (switchZones(access) || isToBeSeen || isNew_) rearrange(access);
+  const bool mayBeReleased = isHeld_ && changes_ != access_.changes;
+  if (switchZones() || mayBeReleased || isNew_) rearrange();
   isNew_ = false;
-  changes_ = access.changes;
+  changes_ = access_.changes;
 }
 
-bool Levels::switchZones(const Access& access) {
+bool Levels::switchZones() {
   boxes_.clear();
-  for (const Part& performer : performers_) {
-    const std::optional<Pose> pose = poseOf(access, performer);
+  for (const PerformerOfLevels& performer : performers_) {
+    const std::optional<Pose> pose = poseOf(performer);
     if (pose) boxes_.push_back(boxAround(pose->position, performer.size));
   }
   bool hasSwitched = false;
@@ -184,7 +185,7 @@ bool Levels::switchZones(const Access& access) {
   return hasSwitched;
 }
 
-void Levels::rearrange(Access& access) {
+void Levels::rearrange() {
   const auto isWanted = [this](const Member& member) {
     return (member.kind == Kind::kModel && isPerforming(ModelId{member.id})) ||
            std::ranges::any_of(member.zones, [this](std::size_t zone) { return zones_[zone].isLoaded; });
@@ -194,9 +195,9 @@ void Levels::rearrange(Access& access) {
     if (!isWanted(member)) aside.push_back(member.id);
   }
   std::ranges::sort(aside);
-  // models that joints hold together are set aside when all of them are
-  const std::vector<world::ModelRecord>& models = access.entities.models();
-  const std::vector<world::Slot> clusters = clustersOf(access.entities);
+  // a cluster is set aside when none of its models is wanted
+  const std::vector<world::ModelRecord>& models = access_.entities.models();
+  const std::vector<world::Slot> clusters = clustersOf(access_.entities);
   std::vector<bool> stays(models.size());
   const auto isAside = [&](const world::ModelRecord& model) {
     return std::ranges::binary_search(aside, model.id.value);
@@ -209,34 +210,34 @@ void Levels::rearrange(Access& access) {
     if (models[slot].parent != world::kNoSlot || !stays[clusters[slot]]) continue;
     if (std::erase(aside, models[slot].id.value) > 0) isHeld_ = true;
   }
-  Editor(access).setAside(aside);
+  Editor(access_).setAside(aside);
 }
 
-void Levels::transfer(StateArchive& archive, const Access& access) {
+void Levels::transfer(StateArchive& archive) {
   for (Zone& zone : zones_) archive(zone.isLoaded);
   archive(awaited_);
-  // who is held is found out again
+  // whether joints keep something is evaluated again
   if (archive.isGiving()) isHeld_ = true;
-  std::vector<Part> made;
-  for (const Part& performer : performers_) {
+  std::vector<PerformerOfLevels> made;
+  for (const PerformerOfLevels& performer : performers_) {
     if (!performer.isOfFile) made.push_back(performer);
   }
   std::size_t count = made.size();
   archive(count);
   if (archive.isGiving()) {
-    made.assign(std::min(count, archive.rest().size()), Part());
-    std::erase_if(performers_, [](const Part& performer) { return !performer.isOfFile; });
+    made.assign(std::min(count, archive.rest().size()), PerformerOfLevels());
+    std::erase_if(performers_, [](const PerformerOfLevels& performer) { return !performer.isOfFile; });
   }
-  for (Part& performer : made) {
-    const world::Slot slot = access.entities.slot(performer.model);
-    std::string model = slot == world::kNoSlot ? std::string() : access.entities.models()[slot].scopedName;
+  for (PerformerOfLevels& performer : made) {
+    const world::Slot slot = access_.entities.slot(performer.model);
+    std::string model = slot == world::kNoSlot ? std::string() : access_.entities.models()[slot].scopedName;
     archive(performer.id);
     archive(performer.name);
     archive(performer.size);
     archive(model);
     if (!archive.isGiving()) continue;
-    const world::Slot found = access.entities.findModel(model);
-    if (found != world::kNoSlot) performer.model = access.entities.models()[found].id;
+    const world::Slot found = access_.entities.findModel(model);
+    if (found != world::kNoSlot) performer.model = access_.entities.models()[found].id;
     performers_.push_back(performer);
   }
 }

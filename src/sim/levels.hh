@@ -29,8 +29,11 @@ inline const Vector3 kPerformerSize(2, 2, 2);
 /// are always there.
 class Levels {
  public:
+  /// @param access Must outlive this.
+  explicit Levels(Access& access) : access_(access) {}
+
   /// Resets to the start, when all entities exist: no level is loaded, and the performers are those of the file.
-  void start(Access& access);
+  void start();
 
   /// Enables levels; otherwise everything is always loaded.
   void use() { areUsed_ = true; }
@@ -38,21 +41,20 @@ class Levels {
 
   /// Loads and unloads levels with their entities. Call it at the start and before each step; it does not allocate
   /// unless something changes.
-  void update(Access& access);
+  void update();
 
   /// Makes a top-level model a performer.
   /// @param name Of the performer; empty: "perf_" and the model's name.
   /// @param size Side lengths of its box [m].
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> add(Access& access, ModelId model, std::string name, const Vector3& size);
+  Outcome<void> add(ModelId model, std::string name, const Vector3& size);
   /// Makes a model a performer when it is added later.
   void addLater(std::string model) { awaited_.push_back(std::move(model)); }
 
   /// Replaces `performers` by the existing ones.
-  void listPerformers(const Access& access, std::vector<Performer>& performers) const;
+  void listPerformers(std::vector<Performer>& performers) const;
 
   /// Saves or restores the loaded levels and the performers.
-  void transfer(StateArchive& archive, const Access& access);
+  void transfer(StateArchive& archive);
 
   /// The names of all levels, and whether each is loaded.
   std::vector<std::pair<std::string_view, bool>> list() const;
@@ -72,7 +74,7 @@ class Levels {
     /// Its levels.
     std::vector<std::size_t> zones;
   };
-  struct Part {
+  struct PerformerOfLevels {
     std::uint64_t id;
     std::string name;
     /// The performing model or actor; one of the two.
@@ -83,18 +85,19 @@ class Levels {
     bool isOfFile;
   };
 
-  void readZones(const Access& access);
-  void readPerformers(Access& access);
-  std::optional<Pose> poseOf(const Access& access, const Part& performer) const;
+  void readZones();
+  void readPerformers();
+  std::optional<Pose> poseOf(const PerformerOfLevels& performer) const;
   bool isPerforming(ModelId model) const;
-  void addAwaited(Access& access);
-  bool switchZones(const Access& access);
-  void rearrange(Access& access);
+  void addAwaited();
+  bool switchZones();
+  void rearrange();
 
+  Access& access_;
   bool areUsed_ = false;
   std::vector<Zone> zones_;
   std::vector<Member> members_;
-  std::vector<Part> performers_;
+  std::vector<PerformerOfLevels> performers_;
   std::vector<std::string> awaited_;
   /// A joint keeps an entity that would be set aside.
   bool isHeld_ = false;

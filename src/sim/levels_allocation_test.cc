@@ -35,29 +35,27 @@ TEST(LevelsAllocation, AllocateNothingWhereNothingChanges) {
   Diagnostics diagnostics;
   const sdf::Root root = sdf::loadText(test::levelWorld(), "world.sdf", diagnostics, {});
   ASSERT_TRUE(diagnostics.all().empty());
-  world::Entities entities(root.worlds.at(0));
-  world::State state(entities);
-  physics::Engine engine(entities);
-  Access access{entities, state, engine};
+  Access access(root.worlds.at(0));
+  const world::Entities& entities = access.entities;
   access.levels.use();
-  access.levels.start(access);
-  access.levels.update(access);
+  access.levels.start();
+  access.levels.update();
   EXPECT_EQ(entities.listSetAside().size(), 5U);
   std::vector<Performer> performers;
-  access.levels.listPerformers(access, performers);
+  access.levels.listPerformers(performers);
   // from buffer to buffer, which changes nothing
   const auto put = [&](double x, double y) {
     Editor(access).setPose(entities.findModel("sphere"), {{x, y, 0}, Quaternion::Identity()}, AfterMove::kStop);
   };
   put(40, 0);
-  access.levels.update(access);
+  access.levels.update();
   EXPECT_EQ(entities.listSetAside().size(), 4U);
   for (const double y : {0.0, -20.0, -10.0}) {
     put(40, y);
     const long before = allocations;
     for (int i = 0; i < 100; ++i) {
-      access.levels.update(access);
-      access.levels.listPerformers(access, performers);
+      access.levels.update();
+      access.levels.listPerformers(performers);
     }
     EXPECT_EQ(allocations, before) << y;
   }

@@ -157,11 +157,11 @@ TEST_F(MovingMeshesTest, GoOnWithTheSameBitsFromASavedState) {
   const std::vector<std::byte> state = simulation->saveState();
   simulation->step(600);
   const std::uint64_t hash = simulation->stateHash();
-  EXPECT_EQ(simulation->restoreState(state), std::nullopt);
+  EXPECT_TRUE(simulation->restoreState(state));
   simulation->step(600);
   EXPECT_EQ(simulation->stateHash(), hash);
   const auto other = load(bowlAndBall());
-  EXPECT_EQ(other->restoreState(state), std::nullopt);
+  EXPECT_TRUE(other->restoreState(state));
   other->step(600);
   EXPECT_EQ(other->stateHash(), hash);
 }

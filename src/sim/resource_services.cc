@@ -44,9 +44,8 @@ ServiceAnswer ResourceServices::add(const Message& request) {
       return ServiceAnswer::refused("'" + folder + "' is not a folder");
   }
   for (const std::string& folder : folders) {
-    if (const std::optional<std::string> refusal = simulation_.addResourceFolder(folder)) {
-      return ServiceAnswer::refused(*refusal);
-    }
+    const Outcome<void> added = simulation_.addResourceFolder(folder);
+    if (!added) return ServiceAnswer::refused(added.error);
     folderAdded_(folder);
   }
   const MessagePointer message = newMessage(kPaths);

@@ -54,10 +54,7 @@ class SystemSlotTest : public testing::Test {
   }
 
   description::World description_;
-  world::Entities entities_{description_};
-  world::State state_{entities_};
-  physics::Engine engine_{entities_};
-  Access access_{entities_, state_, engine_};
+  Access access_{description_};
   assets::Places places_;
   ModelEdits edits_{access_, places_};
   EditQueue queue_{edits_};

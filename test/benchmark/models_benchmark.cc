@@ -46,8 +46,8 @@ void expect(const Diagnostics& diagnostics) {
   if (diagnostics.hasErrors()) throw std::runtime_error(format(diagnostics.all().front()));
 }
 
-void expect(const std::optional<std::string>& refusal) {
-  if (refusal) throw std::runtime_error(*refusal);
+void expect(const Outcome<void>& outcome) {
+  if (!outcome) throw std::runtime_error(outcome.error);
 }
 
 /// Rows of the table in their order, each with the time of one run [us].

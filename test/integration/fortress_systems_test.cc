@@ -113,8 +113,8 @@ class ListedRun {
       words >> x >> y;
       const auto model = simulation_.world().model(name);
       ASSERT_TRUE(model) << line;
-      EXPECT_EQ(Model(*model).setPose({{x, y, model->pose().position.z()}, model->pose().rotation}), std::nullopt);
-      EXPECT_EQ(simulation_.addPerformer(name), std::nullopt);
+      EXPECT_TRUE(Model(*model).setPose({{x, y, model->pose().position.z()}, model->pose().rotation}));
+      EXPECT_TRUE(simulation_.addPerformer(name));
     } else if (verb != "says" && verb != "turns" && verb != "there" && verb != "gone" && verb != "writes") {
       FAIL() << "the list says '" << line << "'";
     }

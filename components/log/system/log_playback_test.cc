@@ -40,7 +40,7 @@ class LogPlaybackTest : public testing::Test {
         ASSERT_TRUE(second);
       }
       if (step == 21) {
-        ASSERT_FALSE(simulation->remove(*second));
+        ASSERT_TRUE(simulation->remove(*second));
       }
       simulation->step();
       for (const Model& model : simulation->world().models())
@@ -94,7 +94,7 @@ TEST_F(LogPlaybackTest, GoesToAnyTimeAndOnFromThere) {
   record();
   const std::unique_ptr<Simulation> played = play(recording());
   for (const int step : {25, 15, 5, 30, 1}) {
-    EXPECT_FALSE(played->setTime(std::chrono::milliseconds(step)));
+    EXPECT_TRUE(played->setTime(std::chrono::milliseconds(step)));
     played->stepPaused();
     EXPECT_EQ(anglesIn(*played), angles_[step]) << step;
     if (step == 30) continue;
@@ -115,7 +115,7 @@ TEST_F(LogPlaybackTest, ARewoundPlaybackIsAsTheFirst) {
 TEST_F(LogPlaybackTest, SeekingIsForPlaybacksOnly) {
   record();
   const std::unique_ptr<Simulation> simulated = test::load(folder_.path() / "w.sdf");
-  EXPECT_TRUE(simulated->setTime(std::chrono::seconds(1)));
+  EXPECT_FALSE(simulated->setTime(std::chrono::seconds(1)));
   EXPECT_EQ(simulated->time(), Time::zero());
 }
 

@@ -100,7 +100,7 @@ TEST_F(LogRecordTest, WhoComesAndGoesIsTold) {
                                             {}, diagnostics);
   ASSERT_TRUE(model);
   simulation->step(10);
-  EXPECT_FALSE(simulation->remove(*model));
+  EXPECT_TRUE(simulation->remove(*model));
   simulation->step(10);
   simulation.reset();
   std::map<std::int64_t, std::size_t> models;

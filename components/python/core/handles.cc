@@ -87,7 +87,7 @@ void bindModel(py::module_& module) {
           "move",
           [](PyModel& self, py::handle pose, bool stop) {
             const Pose X_WorldModel = poseFrom(pose);
-            checkRefusal(self.edit("a move").setPose(X_WorldModel, afterMove(stop)));
+            checkOutcome(self.edit("a move").setPose(X_WorldModel, afterMove(stop)));
           },
           py::arg("pose"), py::kw_only(), py::arg("stop") = false,
           "Moves the model frame with all its links, between two steps.\n\n"
@@ -206,8 +206,8 @@ void bindJoint(py::module_& module) {
           "reset",
           [](PyJoint& self, std::optional<double> position, std::optional<double> velocity, int axis) {
             Joint& joint = self.edit("a joint's reset");
-            if (position) checkRefusal(joint.resetPosition(finite(*position, "a position"), axisOf(joint, axis)));
-            if (velocity) checkRefusal(joint.resetVelocity(finite(*velocity, "a velocity"), axisOf(joint, axis)));
+            if (position) checkOutcome(joint.resetPosition(finite(*position, "a position"), axisOf(joint, axis)));
+            if (velocity) checkOutcome(joint.resetVelocity(finite(*velocity, "a velocity"), axisOf(joint, axis)));
           },
           py::arg("position") = py::none(), py::arg("velocity") = py::none(), py::arg("axis") = 0,
           "Sets position and velocity of the axis between two steps, and moves everything connected to the child. "

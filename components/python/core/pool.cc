@@ -203,7 +203,8 @@ void Pool::putBack(std::size_t world, Simulation& simulation) {
   const Place& place = *worlds_[world];
   // queued messages belong to the time before
   handOver(simulation);
-  if (const auto refusal = simulation.restoreState(place.saved)) throw std::invalid_argument(*refusal);
+  const Outcome<void> put = simulation.restoreState(place.saved);
+  if (!put) throw std::invalid_argument(put.error);
   for (const Reading& reading : place.readings) {
     if (reading.topic) reading.topic->restore();
   }

@@ -110,7 +110,7 @@ void restore(Owner& owner, const py::bytes& state) {
   char* data = nullptr;
   Py_ssize_t size = 0;
   if (PyBytes_AsStringAndSize(state.ptr(), &data, &size) != 0) throw py::error_already_set();
-  checkRefusal(owner.life->edit("restoring")
+  checkOutcome(owner.life->edit("restoring")
                    .restoreState({reinterpret_cast<const std::byte*>(data), static_cast<std::size_t>(size)}));
 }
 
@@ -226,7 +226,7 @@ void remove(Owner& owner, const PyModel& model, const py::args& others) {
     if (each->life != owner.life) throw py::value_error("the model is from another simulation");
     models.push_back(each->inner);
   }
-  checkRefusal(owner.life->edit("removal").remove(models));
+  checkOutcome(owner.life->edit("removal").remove(models));
 }
 
 void addSystem(Owner& owner, const std::string& name, py::object system) {
@@ -337,13 +337,13 @@ void bindProperties(py::class_<Owner>& simulation) {
           "step_size", [](Owner& self) { return toSeconds(self.life->use().stepSize()); },
           [](Owner& self, double seconds) {
             if (!std::isfinite(seconds) || std::abs(seconds) > 1e6) throw py::value_error("a step must be at most 1 s");
-            checkRefusal(self.life->edit("the step's length").setStepSize(fromSeconds(seconds)));
+            checkOutcome(self.life->edit("the step's length").setStepSize(fromSeconds(seconds)));
           },
           "Step size [s]: <max_step_size> of the world unless changed.")
       .def_property(
           "gravity", [](Owner& self) { return tupleOf(self.life->use().world().gravity()); },
           [](Owner& self, py::handle gravity) {
-            checkRefusal(self.life->use().world().setGravity(vectorOf(gravity, "gravity")));
+            checkOutcome(self.life->use().world().setGravity(vectorOf(gravity, "gravity")));
           },
           "Gravity in the world frame [m/s^2].")
       .def_property_readonly(

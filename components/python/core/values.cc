@@ -67,8 +67,8 @@ Pose poseFrom(py::handle from) {
   return {Vector3(x, y, z), fromRollPitchYaw(roll, pitch, yaw)};
 }
 
-void checkRefusal(const std::optional<std::string>& refusal) {
-  if (refusal) raise("Refused", *refusal);
+void checkOutcome(const Outcome<void>& outcome) {
+  if (!outcome) raise("Refused", outcome.error);
 }
 
 }  // namespace pongsim::python

@@ -25,6 +25,6 @@ py::object poseOf(const Pose& pose);
 Pose poseFrom(py::handle from);
 
 /// Raises Refused if a change was refused.
-void checkRefusal(const std::optional<std::string>& refusal);
+void checkOutcome(const Outcome<void>& outcome);
 
 }  // namespace pongsim::python

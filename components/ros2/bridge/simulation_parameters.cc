@@ -26,9 +26,9 @@ SimulationParameters::SimulationParameters(RosNode& node, const World& world, Br
   descriptor.floating_point_range =
       std::vector{rcl_interfaces::FloatingPointRange{0, std::numeric_limits<double>::max(), 0}};
   parameters_.declare(descriptor, parameterOf(realTimeFactor_), [this](const Parameters::Value& value) {
-    const auto error = world_.setRealTimeFactor(value.double_value);
-    if (!error) realTimeFactor_ = value.double_value;
-    return error;
+    const Outcome<void> set = world_.setRealTimeFactor(value.double_value);
+    if (set) realTimeFactor_ = value.double_value;
+    return set ? std::nullopt : std::optional(set.error);
   });
   declareSwitches(bridge, settings);
   declareReadOnly(settings);

@@ -39,8 +39,9 @@ std::vector<std::string> JointDriver::begin() {
   std::vector<std::string> refused;
   for (std::size_t i = 0; i < driven_.size(); ++i) {
     const ControlledJoint& controlled = controlled_[i];
-    const auto note = [&](const std::optional<std::string>& why) {
-      if (why) refused.push_back("joint '" + controlled.name + "' does not start at its initial value: " + *why);
+    const auto note = [&](const Outcome<void>& outcome) {
+      if (outcome) return;
+      refused.push_back("joint '" + controlled.name + "' does not start at its initial value: " + outcome.error);
     };
     if (controlled.initialPosition && *controlled.initialPosition != driven_[i].joint.position()) {
       note(driven_[i].joint.resetPosition(*controlled.initialPosition));

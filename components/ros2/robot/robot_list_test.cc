@@ -58,7 +58,7 @@ TEST(RobotList, FollowsWhatComesAndGoes) {
   ASSERT_TRUE(drone2);
   EXPECT_TRUE(list.update());
   EXPECT_EQ(namesOf(list), (Words{"cart", "drone"}));
-  ASSERT_EQ(simulation->remove(simulation->world().model("cart").value()), std::nullopt);
+  ASSERT_TRUE(simulation->remove(simulation->world().model("cart").value()));
   EXPECT_TRUE(list.update());
   EXPECT_EQ(namesOf(list), Words{"drone"});
 }

@@ -87,7 +87,8 @@ Result setState(const EntityFinder& finder, const si::srv::SetEntityState::Reque
   }
 
   if (request.set_pose) {
-    if (const auto refusal = model->setPose(frame->pose * poseOf(request.state.pose))) return failed(*refusal);
+    const Outcome<void> moved = model->setPose(frame->pose * poseOf(request.state.pose));
+    if (!moved) return failed(moved.error);
   }
   if (request.set_twist && !model->isStatic()) {
     // v_W = v_WF + w_WF x (p - p_F) + R_WF v_F

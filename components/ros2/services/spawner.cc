@@ -166,8 +166,8 @@ void Spawner::remove(const Model& model, std::function<void(const Result&)> done
   const auto answer = std::make_shared<std::function<void(const Result&)>>(std::move(done));
   const std::uint64_t owed =
       owed_.owe([answer] { (*answer)(failed("the world was reset before the entity was deleted")); });
-  edits_.remove(model, [this, answer, owed](const std::optional<std::string>& refusal) {
-    if (owed_.settle(owed)) (*answer)(refusal ? failed(*refusal) : succeeded());
+  edits_.remove(model, [this, answer, owed](const Outcome<void>& removed) {
+    if (owed_.settle(owed)) (*answer)(removed ? succeeded() : failed(removed.error));
   });
 }
 

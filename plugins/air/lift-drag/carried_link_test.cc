@@ -37,7 +37,7 @@ TEST(CarriedLink, MovesAlongTheTangentHoweverFarAStepTurnsIt) {
     Joint axle = *model.joint("axle");
     const Link blade = *model.link("blade");
     const CarriedLink carried(blade);
-    ASSERT_FALSE(axle.resetVelocity(300));
+    ASSERT_TRUE(axle.resetVelocity(300));
     world.step(20);
     const Vector3 arm = blade.pose().position - axle.child().pose().position;
     const Vector3 tangent = Vector3(0, 0, axle.velocity()).cross(arm);
@@ -58,7 +58,7 @@ TEST(CarriedLink, MovesAsItIsToldWhereNoJointCarriesItOrOneThatSlides) {
   RunningWorld slides(rotor("world", "prismatic"));
   const Model model = slides.model("m");
   Joint axle = *model.joint("axle");
-  ASSERT_FALSE(axle.resetVelocity(2));
+  ASSERT_TRUE(axle.resetVelocity(2));
   slides.step(10);
   EXPECT_NEAR(CarriedLink(*model.link("rod")).linearVelocity().z(), 2, 1e-3);
   EXPECT_NEAR(CarriedLink(*model.link("blade")).linearVelocity().z(), 2, 1e-3);

@@ -67,7 +67,7 @@ TEST(LiftDrag, SeesTheFlowOfALinkThatTurns) {
 TEST(LiftDrag, ReadsTheJointOfAFlap) {
   RunningWorld world(worldWith(std::string(kWing) + "<control_joint_name>hinge</control_joint_name>"
                                                     "<control_joint_rad_to_cl>-2</control_joint_rad_to_cl>"));
-  ASSERT_FALSE(world.model("m").joint("hinge")->resetPosition(0.25));
+  ASSERT_TRUE(world.model("m").joint("hinge")->resetPosition(0.25));
   const auto [linear, angular] = accelerations(world, world.model("m").link("wing").value(), {10, 0, 0});
   EXPECT_NEAR(linear.z(), 0.5 * 1.2 * 100 * 3 * -0.5 / 2, 1e-6);
 }
@@ -87,7 +87,7 @@ TEST(LiftDrag, GoesOnWithTheSameBitsFromASavedState) {
   const auto state = world.simulation().saveState();
   world.step(100);
   const auto hash = world.simulation().stateHash();
-  ASSERT_FALSE(world.simulation().restoreState(state));
+  ASSERT_TRUE(world.simulation().restoreState(state));
   world.step(100);
   EXPECT_EQ(world.simulation().stateHash(), hash);
 }

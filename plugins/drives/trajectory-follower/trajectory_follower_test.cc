@@ -117,7 +117,7 @@ TEST(TrajectoryFollower, StaysAtTheLastOneAndComesBackToIt) {
   EXPECT_TRUE(comesTo(world, {1.5, 0, 0}));
   world.step(5000);
   EXPECT_NEAR(bodyOf(world).pose().position.x(), 1.5, 0.25);
-  ASSERT_FALSE(world.model("m").setPose({{3, 1, 0.25}, Quaternion::Identity()}));
+  ASSERT_TRUE(world.model("m").setPose({{3, 1, 0.25}, Quaternion::Identity()}));
   EXPECT_TRUE(comesTo(world, {1.5, 0, 0}));
 }
 
@@ -185,7 +185,7 @@ TEST(TrajectoryFollower, GoesOnFromASavedState) {
   const std::vector<std::byte> state = world.simulation().saveState();
   world.step(3000);
   RunningWorld other(text);
-  ASSERT_FALSE(other.simulation().restoreState(state));
+  ASSERT_TRUE(other.simulation().restoreState(state));
   other.step(3000);
   EXPECT_EQ(other.simulation().stateHash(), world.simulation().stateHash());
 }

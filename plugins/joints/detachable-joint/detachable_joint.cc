@@ -97,8 +97,8 @@ class DetachableJoint : public System {
   void detach() {
     isToAttach_ = false;
     if (!joint_) return;
-    const std::optional<std::string> error = world_->detach(*joint_);
-    if (error) return log_->warning("the joint can't be removed: " + *error);
+    const Outcome<void> removed = world_->detach(*joint_);
+    if (!removed) return log_->warning("the joint can't be removed: " + removed.error);
     joint_.reset();
     tell("detached");
   }

@@ -80,7 +80,7 @@ TEST(LogicalAudioSensorPlugin, GetsSofterWithTheDistance) {
   RunningWorld world(model("speaker", "0 0 0", plugin(source("1", "true"))) +
                      model("mover", "0 0 0", plugin(microphone("1"))));
   for (const double x : {0.0, 3.0, 4.5, 6.0, 7.9}) {
-    EXPECT_EQ(world.model("mover").setPose({{x, 0, 0}, Quaternion::Identity()}), std::nullopt);
+    EXPECT_TRUE(world.model("mover").setPose({{x, 0, 0}, Quaternion::Identity()}));
     const std::vector<Double> heard = hear(world, "/model/mover/sensor/mic_1/detection", 1);
     // the microphone is half a metre ahead
     const double expected = 0.9 * std::clamp((8 - (x + 0.5)) / 5, 0.0, 1.0);
@@ -94,7 +94,7 @@ TEST(LogicalAudioSensorPlugin, TurnsItsMicrophonesWithTheModel) {
                      model("mover", "6 0 0", plugin(microphone("1"))));
   EXPECT_NEAR(hear(world, "/model/mover/sensor/mic_1/detection", 1).at(0).data(), 0.9 * 0.3, 1e-12);
   const Quaternion back(Eigen::AngleAxisd(std::acos(-1), Vector3::UnitZ()));
-  EXPECT_EQ(world.model("mover").setPose({{6, 0, 0}, back}), std::nullopt);
+  EXPECT_TRUE(world.model("mover").setPose({{6, 0, 0}, back}));
   EXPECT_NEAR(hear(world, "/model/mover/sensor/mic_1/detection", 1).at(0).data(), 0.9 * 0.5, 1e-12);
 }
 
@@ -135,7 +135,7 @@ TEST(LogicalAudioSensorPlugin, HearsModelsThatComeAndNotThoseThatHaveGone) {
       diagnostics);
   ASSERT_TRUE(later);
   EXPECT_EQ(hear(world, topic, 1).size(), 2U);
-  EXPECT_EQ(world.simulation().remove(world.model("speaker")), std::nullopt);
+  EXPECT_TRUE(world.simulation().remove(world.model("speaker")));
   const std::vector<Double> heard = hear(world, topic, 1);
   ASSERT_EQ(heard.size(), 1U);
   EXPECT_EQ(heard[0].header().data(0).key(), "world/w/model/later/sensor/source_1");
@@ -149,7 +149,7 @@ TEST(LogicalAudioSensorPlugin, GoesOnFromASavedStateAndBeginsAgainAfterAReset) {
   world.step(400);
   const std::vector<std::byte> state = world.simulation().saveState();
   EXPECT_EQ(hear(world, topic, 2000).size(), 601U);
-  ASSERT_EQ(other.simulation().restoreState(state), std::nullopt);
+  ASSERT_TRUE(other.simulation().restoreState(state));
   EXPECT_EQ(hear(other, topic, 2000).size(), 601U);
   Diagnostics diagnostics;
   world.simulation().reset(diagnostics);

@@ -87,7 +87,7 @@ TEST(NavSat, FollowsAWorldThatIsToldToBeSomewhereElse) {
   std::vector<ignition::msgs::NavSat> messages;
   world.listen(kTopic, messages);
   world.step(1);
-  EXPECT_FALSE(world.simulation().world().setPlace({0.5, -0.5, 0}, 0));
+  EXPECT_TRUE(world.simulation().world().setPlace({0.5, -0.5, 0}, 0));
   world.step(1);
   ASSERT_EQ(messages.size(), 2);
   EXPECT_NEAR(messages[0].latitude_deg(), 10, 1e-5);

@@ -150,8 +150,8 @@ class Breadcrumbs : public System {
       return log_->warning("it can't be deployed: " + model.error);
     }
     if (performerSize_) {
-      const std::optional<std::string> refusal = world_->addPerformer(*model.value, *performerSize_);
-      if (refusal) log_->warning("'" + std::string(model.value->name()) + "' can't become a performer: " + *refusal);
+      const Outcome<void> added = world_->addPerformer(*model.value, *performerSize_);
+      if (!added) log_->warning("'" + std::string(model.value->name()) + "' can't become a performer: " + added.error);
     }
     if (!template_->isStatic() && timeToRest_ > 0) falling_.push_back({model.value->id(), std::nullopt});
   }

@@ -32,16 +32,24 @@ inline bool isWithin(const Vector3& values, double most) {
 
 /// @return The same for both together, with fewer comparisons.
 inline bool areWithin(const Vector3& a, const Vector3& b, double most) {
-  // neither is longer than both together, which is not below what is not a number
+  // |a|, |b| <= sqrt(|a|^2 + |b|^2), in one comparison, which NaN fails
   return a.squaredNorm() + b.squaredNorm() <= most * most || (isWithin(a, most) && isWithin(b, most));
 }
 
-/// What the handles (`World`, `Model`, `Link`, `Joint`) access.
+/// A running world: who is in it, where everything is, what moves it, and which levels are loaded. The handles
+/// (`World`, `Model`, `Link`, `Joint`) read and change it. Several of these change together: by `Editor`.
 class Access {
  public:
-  world::Entities& entities;
-  world::State& state;
-  physics::Engine& engine;
+  /// @param description Must outlive this.
+  explicit Access(const description::World& description, const physics::Settings& settings = physics::Settings())
+      : entities(description), state(entities), engine(entities, settings) {}
+  Access(const Access&) = delete;
+  Access& operator=(const Access&) = delete;
+
+  world::Entities entities;
+  world::State state;
+  physics::Engine engine;
+  Levels levels{*this};
   Logger log{"commands"};
   /// The thread on which a system is running, if one is, and that system's first invalid command.
   std::atomic<std::thread::id> systemThread = std::thread::id();
@@ -69,7 +77,6 @@ class Access {
     std::unordered_map<std::string, int> counts = {};
   };
   TakenNames takenNames = {};
-  Levels levels = {};
 };
 
 inline const char* kindOf(ModelId) { return "model"; }

@@ -96,7 +96,7 @@ TEST_F(BatteryTest, IsNotAloneWhereAnotherOneIsFull) {
 
 TEST_F(BatteryTest, GoesWithItsModelAndStaysThroughAReset) {
   const Battery cell = add("m", "cell", 1), other = add("n", "cell", 1);
-  EXPECT_EQ(world_.simulation().remove(world_.model("m")), std::nullopt);
+  EXPECT_TRUE(world_.simulation().remove(world_.model("m")));
   EXPECT_FALSE(cell.exists());
   EXPECT_THROW(static_cast<void>(cell.charge()), Gone);
   Diagnostics diagnostics;

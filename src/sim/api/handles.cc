@@ -87,7 +87,7 @@ MassInfo Link::mass() const {
           inertial.X_LinkCom.rotation};
 }
 
-std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
+Outcome<void> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
   return sim::Editor(*access_).setLinkPose(slotOf(*access_, id_), X_WorldLink, after);
 }
 
@@ -131,15 +131,17 @@ void Joint::addForce(double force, int axis) {
   access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
 }
 
-std::optional<std::string> Joint::resetPosition(double position, int axis) {
+Outcome<void> Joint::resetPosition(double position, int axis) {
   const world::Slot slot = slotOf(*access_, id_);
-  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  if (axis < 0 || axis >= axisCount())
+    return {"joint '" + std::string(name()) + "' has no axis " + std::to_string(axis)};
   return sim::resetJointPosition(*access_, slot, static_cast<std::size_t>(axis), position);
 }
 
-std::optional<std::string> Joint::resetVelocity(double velocity, int axis) {
+Outcome<void> Joint::resetVelocity(double velocity, int axis) {
   const world::Slot slot = slotOf(*access_, id_);
-  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  if (axis < 0 || axis >= axisCount())
+    return {"joint '" + std::string(name()) + "' has no axis " + std::to_string(axis)};
   return sim::resetJointVelocity(*access_, slot, static_cast<std::size_t>(axis), velocity);
 }
 
@@ -262,7 +264,7 @@ void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const V
   }
 }
 
-std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
+Outcome<void> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
   return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
 }
 
@@ -303,10 +305,10 @@ WorldId World::id() const { return access_->entities.worldId(); }
 
 Vector3 World::gravity() const { return access_->state.gravity; }
 
-std::optional<std::string> World::setGravity(const Vector3& gravity) {
-  if (!gravity.allFinite()) return "gravity is not finite";
+Outcome<void> World::setGravity(const Vector3& gravity) {
+  if (!gravity.allFinite()) return {"gravity is not finite"};
   sim::Editor(*access_).setGravity(gravity);
-  return std::nullopt;
+  return {};
 }
 
 std::vector<Model> World::models() const {
@@ -350,10 +352,10 @@ Outcome<Joint> World::attach(const Link& parent, const Link& child, std::string_
   return {Joint(*access_, access_->entities.joints()[slot].id), {}};
 }
 
-std::optional<std::string> World::detach(const Joint& joint) {
-  if (!joint.exists()) return "the joint no longer exists";
+Outcome<void> World::detach(const Joint& joint) {
+  if (!joint.exists()) return {"the joint no longer exists"};
   sim::Editor(*access_).detach(slotOf(*access_, joint.id()));
-  return std::nullopt;
+  return {};
 }
 
 void World::contacts(std::vector<Contact>& contacts) const { access_->engine.contacts(contacts); }
@@ -391,40 +393,38 @@ std::optional<TangentPlane> World::tangentPlane() const {
   return TangentPlane(place.origin, place.heading);
 }
 
-std::optional<std::string> World::setPlace(const GeodeticPosition& origin, double heading) {
+Outcome<void> World::setPlace(const GeodeticPosition& origin, double heading) {
   if (!std::isfinite(origin.longitude) || !std::isfinite(origin.altitude) || !std::isfinite(heading)) {
-    return "the position is not finite";
+    return {"the position is not finite"};
   }
-  if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return "the latitude is not between -90 and 90 degrees";
+  if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return {"the latitude is not between -90 and 90 degrees"};
   access_->state.place = {true, origin, heading};
-  return std::nullopt;
+  return {};
 }
 
 Vector3 World::wind() const { return access_->state.wind; }
 
-std::optional<std::string> World::setWind(const Vector3& wind) {
+Outcome<void> World::setWind(const Vector3& wind) {
   // squares of what is finite need not be
   if (!wind.allFinite() || !(wind.stableNorm() <= kFastestWind)) {
-    return "the wind can't be faster than " + std::to_string(static_cast<int>(kFastestWind)) + " m/s";
+    return {"the wind can't be faster than " + std::to_string(static_cast<int>(kFastestWind)) + " m/s"};
   }
   access_->state.wind = wind;
-  return std::nullopt;
+  return {};
 }
 
 double World::realTimeFactor() const { return access_->state.realTimeFactor; }
 
-std::optional<std::string> World::setRealTimeFactor(double factor) {
-  if (!(factor >= 0) || !std::isfinite(factor)) return "a real-time factor must be zero or more";
+Outcome<void> World::setRealTimeFactor(double factor) {
+  if (!(factor >= 0) || !std::isfinite(factor)) return {"a real-time factor must be zero or more"};
   access_->state.realTimeFactor = factor;
-  return std::nullopt;
+  return {};
 }
 
-void World::performers(std::vector<Performer>& performers) const {
-  access_->levels.listPerformers(*access_, performers);
-}
+void World::performers(std::vector<Performer>& performers) const { access_->levels.listPerformers(performers); }
 
-std::optional<std::string> World::addPerformer(const Model& model, const Vector3& size, std::string_view name) {
-  return access_->levels.add(*access_, model.id(), std::string(name), size);
+Outcome<void> World::addPerformer(const Model& model, const Vector3& size, std::string_view name) {
+  return access_->levels.add(model.id(), std::string(name), size);
 }
 
 }  // namespace pongsim

@@ -92,28 +92,28 @@ TEST_F(HandlesTest, CountOnlyAxesThatHaveAPosition) {
 
 TEST_F(HandlesTest, ChangeTheRealTimeFactor) {
   EXPECT_EQ(world().realTimeFactor(), 1);
-  EXPECT_FALSE(world().setRealTimeFactor(0));
+  EXPECT_TRUE(world().setRealTimeFactor(0));
   EXPECT_EQ(simulation_->realTimeFactor(), 0);
-  EXPECT_FALSE(world().setRealTimeFactor(2.5));
+  EXPECT_TRUE(world().setRealTimeFactor(2.5));
   for (const double factor : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(world().setRealTimeFactor(factor), "a real-time factor must be zero or more");
+    EXPECT_EQ(world().setRealTimeFactor(factor).error, "a real-time factor must be zero or more");
   }
   EXPECT_EQ(simulation_->realTimeFactor(), 2.5);
 }
 
 TEST_F(HandlesTest, ChangeTheWind) {
   EXPECT_EQ(world().wind(), Vector3(1, 2, 3));
-  EXPECT_FALSE(world().setWind({-4, 5, 6}));
+  EXPECT_TRUE(world().setWind({-4, 5, 6}));
   EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
   for (const double speed : {1e6, 1e308, std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(world().setWind({speed, 0, speed}), "the wind can't be faster than 10000 m/s");
+    EXPECT_EQ(world().setWind({speed, 0, speed}).error, "the wind can't be faster than 10000 m/s");
   }
   EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
   const std::vector<std::byte> state = simulation_->saveState();
   Diagnostics diagnostics;
   simulation_->reset(diagnostics);
   EXPECT_EQ(world().wind(), Vector3(1, 2, 3));
-  EXPECT_FALSE(simulation_->restoreState(state));
+  EXPECT_TRUE(simulation_->restoreState(state));
   EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
 }
 
@@ -161,17 +161,17 @@ TEST_F(HandlesTest, PassWhatActuatorsAreTold) {
   Diagnostics diagnostics;
   simulation_->reset(diagnostics);
   EXPECT_EQ(arm().actuators(), nullptr);
-  EXPECT_FALSE(simulation_->restoreState(state));
+  EXPECT_TRUE(simulation_->restoreState(state));
   EXPECT_EQ(*arm().actuators(), speeds);
   const Model removed = arm();
-  EXPECT_FALSE(simulation_->remove(removed));
+  EXPECT_TRUE(simulation_->remove(removed));
   EXPECT_EQ(removed.actuators(), nullptr);
   EXPECT_THROW(Model(removed).setActuators(speeds), Gone);
 }
 
 TEST_F(HandlesTest, TellWhereTheFramesOfTheWorldAre) {
   const Model model = arm();
-  EXPECT_EQ(Model(model).setPose({{0, 0, 0}, fromRollPitchYaw(0, 0, 1)}), std::nullopt);
+  EXPECT_TRUE(Model(model).setPose({{0, 0, 0}, fromRollPitchYaw(0, 0, 1)}));
   const std::vector<WorldFrame> frames = world().frames();
   ASSERT_EQ(frames.size(), 2U);
   EXPECT_EQ(frames[0].name, "dock");
@@ -181,7 +181,7 @@ TEST_F(HandlesTest, TellWhereTheFramesOfTheWorldAre) {
   EXPECT_NEAR(yawOf(frames[1].pose.rotation), 1, 1e-12);
 
   // another model of that name is not what the frame is attached to
-  EXPECT_EQ(simulation_->remove(arm()), std::nullopt);
+  EXPECT_TRUE(simulation_->remove(arm()));
   EXPECT_EQ(world().frames().size(), 1U);
   Diagnostics diagnostics;
   simulation_->insertText("<sdf version='1.9'><model name='arm'><link name='upper'/></model></sdf>", "arm", {},

@@ -71,8 +71,8 @@ TEST_F(SceneTest, FollowsWhatComesAndGoes) {
   ASSERT_TRUE(moon);
   EXPECT_EQ(*moon.value, "moon");
   EXPECT_EQ(scene.topLevelIds().size(), 3U);
-  EXPECT_EQ(simulation_->removeLight({}, "sun"), std::nullopt);
-  EXPECT_NE(simulation_->removeLight(scene.lights()[0].id, ""), std::nullopt) << "it is a part of a link";
+  EXPECT_TRUE(simulation_->removeLight({}, "sun"));
+  EXPECT_FALSE(simulation_->removeLight(scene.lights()[0].id, "")) << "it is a part of a link";
   EXPECT_EQ(scene.topLevelIds().size(), 2U);
   Diagnostics diagnostics;
   simulation_->reset(diagnostics);
@@ -81,16 +81,16 @@ TEST_F(SceneTest, FollowsWhatComesAndGoes) {
 
 TEST_F(SceneTest, TellsALightAsItWasChanged) {
   ignition::msgs::Scene message;
-  EXPECT_EQ(simulation_->changeLight(sun(7)), std::nullopt);
+  EXPECT_TRUE(simulation_->changeLight(sun(7)));
   Scene(simulation_->world()).fillIn(message);
   ASSERT_EQ(message.light_size(), 1);
   EXPECT_EQ(message.light(0).range(), 7);
-  EXPECT_NE(simulation_->changeLight(sun(-7)), std::nullopt);
+  EXPECT_FALSE(simulation_->changeLight(sun(-7)));
   ignition::msgs::Light lamp = sun(3);
   lamp.set_name("lamp");
-  EXPECT_NE(simulation_->changeLight(lamp), std::nullopt) << "it is not the world's";
+  EXPECT_FALSE(simulation_->changeLight(lamp)) << "it is not the world's";
   lamp.set_parent_id(static_cast<std::uint32_t>(simulation_->world().model("box")->link("l")->id().value));
-  EXPECT_EQ(simulation_->changeLight(lamp), std::nullopt);
+  EXPECT_TRUE(simulation_->changeLight(lamp));
   Scene(simulation_->world()).fillIn(message);
   EXPECT_EQ(message.model(0).link(0).light(0).range(), 3);
 }

@@ -24,6 +24,7 @@
 #include "sim/edits/editor.hh"
 #include "sim/edits/light_edits.hh"
 #include "sim/edits/model_edits.hh"
+#include "sim/file_worlds.hh"
 #include "sim/levels.hh"
 #include "sim/resource_services.hh"
 #include "sim/running/server_config.hh"
@@ -53,10 +54,7 @@ physics::Settings settingsFor(const description::PhysicsProfile& profile, const 
 struct Simulation::Parts {
   Parts(description::World world, const sim::WorldPlace& place, bool sharesTransport, const SimulationOptions& options)
       : description(std::move(world)),
-        entities(description),
-        state(entities),
-        engine(entities, settingsFor(description.physics, options)),
-        access{entities, state, engine},
+        access(description, settingsFor(description.physics, options)),
         edits(access, places),
         transport(chooseTransport(options, sharesTransport)),
         systems(access, edits, transport, options.seed, options.strict, place),
@@ -79,7 +77,7 @@ struct Simulation::Parts {
   /// Loads and unloads levels. The systems are told when they are called next.
   void updateLevels() {
     const std::uint64_t before = access.changes;
-    access.levels.update(access);
+    access.levels.update();
     if (access.changes != before) systems.updateWhoRests();
   }
   void stepEngine(Time dt);
@@ -87,15 +85,12 @@ struct Simulation::Parts {
   bool hasPhysics() const { return wantsPhysics && systems.wantsPhysics(); }
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
-    return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
+    return {access.state.time + dt, dt, access.state.iterations + (paused ? 0 : 1), paused};
   }
 
   const description::World description;
   /// Where files that inserted models name are looked for.
   assets::Places places = assets::Places::fromEnvironment();
-  world::Entities entities;
-  world::State state;
-  physics::Engine engine;
   sim::Access access;
   sim::ModelEdits edits;
   std::optional<Transport> ownTransport;
@@ -114,86 +109,10 @@ struct Simulation::Parts {
   std::set<LinkId> slowedDown;
 };
 
-namespace {
-
-/// @return A world around the models, lights and actors that stand in none: a ground, the sun, and what a world has by
-/// default.
-description::World worldAround(sdf::Root root) {
-  constexpr std::string_view kWorld =
-      "<sdf version='1.9'><world name='default'><light name='sun' type='directional'><pose>0 0 10 0 0 0</pose></light>"
-      "<model name='ground_plane'><static>true</static><link name='link'>"
-      "<collision name='collision'><geometry><plane><size>100 100</size></plane></geometry></collision>"
-      "<visual name='visual'><geometry><plane><size>100 100</size></plane></geometry></visual>"
-      "</link></model></world></sdf>";
-  Diagnostics none;
-  description::World world = std::move(sdf::loadText(kWorld, "default world", none, {}).worlds.at(0));
-  const auto addTo = [](auto& standard, auto& own) {
-    // the file's own ground or sun takes the place of ours
-    for (const auto& part : own) std::erase_if(standard, [&](const auto& other) { return other.name == part.name; });
-    std::ranges::move(own, std::back_inserter(standard));
-  };
-  addTo(world.models, root.models);
-  addTo(world.lights, root.lights);
-  addTo(world.actors, root.actors);
-  return world;
-}
-
-}  // namespace
-
-namespace {
-
-/// Puts a world around what stands in none, where there is no other.
-/// @return Whether the file can be simulated.
-bool prepare(sdf::Root& root, Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
-  if (diagnostics.hasErrors()) return false;
-  if (!root.worlds.empty()) return true;
-  description::World around = worldAround(std::move(root));
-  root.worlds.clear();
-  root.worlds.push_back(std::move(around));
-  return true;
-}
-
-/// @return The number of the world of that name, of the first one where it is empty; nothing, and an error added,
-/// where there is none.
-std::optional<std::size_t> chooseWorld(const std::vector<description::World>& worlds, const std::string& name,
-                                       Diagnostics& diagnostics) {
-  if (!name.empty()) {
-    const auto found = std::ranges::find(worlds, name, &description::World::name);
-    if (found != worlds.end()) return static_cast<std::size_t>(found - worlds.begin());
-    std::string names;
-    for (const description::World& world : worlds) names += (names.empty() ? "'" : ", '") + world.name + "'";
-    diagnostics.error(worlds.front().position, "there is no world '" + name + "' in this file", "it has " + names);
-    return std::nullopt;
-  }
-  for (std::size_t i = 1; i < worlds.size(); ++i) {
-    diagnostics.warning(worlds[i].position,
-                        "world '" + worlds[i].name + "' is left out: the first one is used, '" + worlds[0].name + "'",
-                        "name the world to choose another");
-  }
-  return 0;
-}
-
-/// Adds an error for each world whose topics have the names of another one's, for "a b" and "a_b" have the same.
-void checkTopicNames(const std::vector<description::World>& worlds, Diagnostics& diagnostics) {
-  for (std::size_t i = 1; i < worlds.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::string topics = cleanTopic("/world/" + worlds[i].name);
-      if (topics != cleanTopic("/world/" + worlds[j].name)) continue;
-      diagnostics.error(worlds[i].position,
-                        "the topics of world '" + worlds[i].name + "' collide with those of world '" + worlds[j].name +
-                            "': " + topics + "/...",
-                        "rename one of them");
-    }
-  }
-}
-
-}  // namespace
-
 std::unique_ptr<Simulation> Simulation::Parts::makeOne(sdf::Root root, const SimulationOptions& options,
                                                        Diagnostics& diagnostics) {
-  if (!prepare(root, diagnostics)) return nullptr;
-  const std::optional<std::size_t> number = chooseWorld(root.worlds, options.world, diagnostics);
+  if (!sim::prepareWorlds(root, diagnostics)) return nullptr;
+  const std::optional<std::size_t> number = sim::chooseWorld(root.worlds, options.world, diagnostics);
   if (!number) return nullptr;
   return make(std::move(root.worlds[*number]), {*number, true}, false, options, diagnostics);
 }
@@ -208,7 +127,7 @@ std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, co
   const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
   auto parts = std::make_unique<Parts>(std::move(world), place, sharesTransport, options);
   if (options.levels) parts->access.levels.use();
-  parts->access.levels.start(parts->access);
+  parts->access.levels.start();
   if (options.loadSystems) {
     parts->systems.load(parts->description, isConfigured, options, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
@@ -227,9 +146,9 @@ std::vector<std::unique_ptr<Simulation>> Simulation::allFromFile(const std::file
                                                                  const SimulationOptions& options,
                                                                  Diagnostics& diagnostics) {
   sdf::Root root = sdf::loadFile(file, diagnostics);
-  if (!prepare(root, diagnostics)) return {};
+  if (!sim::prepareWorlds(root, diagnostics)) return {};
   const bool isOne = root.worlds.size() == 1;
-  checkTopicNames(root.worlds, diagnostics);
+  sim::checkTopicNames(root.worlds, diagnostics);
   if (diagnostics.hasErrors()) return {};
   std::vector<std::unique_ptr<Simulation>> all;
   std::vector<SourcePosition> positions;
@@ -274,11 +193,12 @@ void Simulation::stepPaused() {
 
 void Simulation::Parts::stepEngine(Time dt) {
   sim::Editor(access).cutPower();
-  engine.step(dt, state);
-  const world::Slot link = engine.slowedDown();
-  if (link == world::kNoSlot || !slowedDown.insert(entities.links()[link].id).second) return;
-  const world::LinkRecord& record = entities.links()[link];
-  Logger("physics").warning("link '" + entities.models()[record.model].scopedName + "::" + record.description->name +
+  access.engine.step(dt, access.state);
+  const world::Slot link = access.engine.slowedDown();
+  if (link == world::kNoSlot || !slowedDown.insert(access.entities.links()[link].id).second) return;
+  const world::LinkRecord& record = access.entities.links()[link];
+  Logger("physics").warning("link '" + access.entities.models()[record.model].scopedName +
+                            "::" + record.description->name +
                             "' would turn more than once in a step or exceed 1e6 m/s, and is slowed down to "
                             "that (a shorter step may "
                             "help)");
@@ -292,17 +212,17 @@ void Simulation::advance(Time dt) {
   parts.systems.update(info);
   if (!info.paused) {
     if (parts.hasPhysics()) parts.stepEngine(info.dt);
-    parts.state.time = info.time;
-    parts.state.iterations = info.iteration;
+    parts.access.state.time = info.time;
+    parts.access.state.iterations = info.iteration;
   }
   parts.systems.postUpdate(info);
 }
 
-Time Simulation::time() const { return parts_->state.time; }
+Time Simulation::time() const { return parts_->access.state.time; }
 
-std::uint64_t Simulation::iterations() const { return parts_->state.iterations; }
+std::uint64_t Simulation::iterations() const { return parts_->access.state.iterations; }
 
-Time Simulation::stepSize() const { return parts_->state.stepSize; }
+Time Simulation::stepSize() const { return parts_->access.state.stepSize; }
 
 double Simulation::realTimeFactor() const { return World(parts_->access).realTimeFactor(); }
 
@@ -337,28 +257,28 @@ Outcome<std::string> Simulation::insertLight(const Message& light, const InsertO
   return name;
 }
 
-std::optional<std::string> Simulation::changeLight(const Message& light) {
-  const std::optional<std::string> refusal = sim::changeLight(parts_->access, light);
+Outcome<void> Simulation::changeLight(const Message& light) {
+  Outcome<void> done = sim::changeLight(parts_->access, light);
   parts_->systems.announceChanges();
-  return refusal;
+  return done;
 }
 
-std::optional<std::string> Simulation::removeLight(LightId id, const std::string& name) {
-  const std::optional<std::string> refusal = sim::removeLight(parts_->access, id.value, name);
+Outcome<void> Simulation::removeLight(LightId id, const std::string& name) {
+  Outcome<void> done = sim::removeLight(parts_->access, id.value, name);
   parts_->systems.announceChanges();
-  return refusal;
+  return done;
 }
 
-std::optional<std::string> Simulation::addResourceFolder(const std::filesystem::path& folder) {
+Outcome<void> Simulation::addResourceFolder(const std::filesystem::path& folder) {
   std::error_code error;
   const std::filesystem::path whole = std::filesystem::absolute(folder, error);
   if (folder.empty() || error || !std::filesystem::is_directory(whole, error)) {
-    return "'" + folder.string() + "' is not a folder";
+    return {"'" + folder.string() + "' is not a folder"};
   }
   if (std::ranges::find(parts_->places.folders, whole) == parts_->places.folders.end()) {
     parts_->places.folders.push_back(whole);
   }
-  return std::nullopt;
+  return {};
 }
 
 std::vector<std::filesystem::path> Simulation::resourceFolders() const { return parts_->places.folders; }
@@ -368,61 +288,60 @@ std::optional<std::filesystem::path> Simulation::resolve(const std::string& addr
   return assets::finderIn(parts_->places)(address, std::filesystem::path(), {}, none);
 }
 
-std::optional<std::string> Simulation::remove(const Model& model) { return remove(std::span(&model, 1)); }
+Outcome<void> Simulation::remove(const Model& model) { return remove(std::span(&model, 1)); }
 
-std::optional<std::string> Simulation::remove(std::span<const Model> models) {
+Outcome<void> Simulation::remove(std::span<const Model> models) {
   std::vector<ModelId> ids;
   for (const Model& model : models) ids.push_back(model.id());
   return parts_->edits.remove(ids);
 }
 
-std::optional<std::string> Simulation::addPerformer(const std::string& model) {
-  if (model.empty()) return "no model is given";
+Outcome<void> Simulation::addPerformer(const std::string& model) {
+  if (model.empty()) return {"no model is given"};
   sim::Access& access = parts_->access;
   const world::Slot slot = access.entities.findModel(model);
-  if (slot != world::kNoSlot)
-    return access.levels.add(access, access.entities.models()[slot].id, {}, sim::kPerformerSize);
+  if (slot != world::kNoSlot) return access.levels.add(access.entities.models()[slot].id, {}, sim::kPerformerSize);
   Logger("levels").warning("there is no model '" + model + "' yet: it becomes a performer when it is inserted");
   access.levels.addLater(model);
-  return std::nullopt;
+  return {};
 }
 
 bool Simulation::isSetAside(const std::string& model) const { return parts_->access.entities.isSetAside(model); }
 
 std::size_t Simulation::countSetAside() const {
-  return static_cast<std::size_t>(std::ranges::count_if(parts_->entities.models(), [](const world::ModelRecord& model) {
-    return model.isSetAside && model.parent == world::kNoSlot;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      parts_->access.entities.models(),
+      [](const world::ModelRecord& model) { return model.isSetAside && model.parent == world::kNoSlot; }));
 }
 
-std::optional<std::string> Simulation::setStepSize(Time size) {
-  if (size <= Time::zero() || size > kLongestStep) return "a step must be longer than 0 s and at most 1 s";
-  parts_->state.stepSize = size;
-  return std::nullopt;
+Outcome<void> Simulation::setStepSize(Time size) {
+  if (size <= Time::zero() || size > kLongestStep) return {"a step must be longer than 0 s and at most 1 s"};
+  parts_->access.state.stepSize = size;
+  return {};
 }
 
-std::optional<std::string> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
+Outcome<void> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
-  parts_->access.levels.start(parts_->access);
+  parts_->access.levels.start();
   parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
   parts_->systems.announceChanges();
 }
 
-std::optional<std::string> Simulation::setTime(Time time) {
-  if (parts_->hasPhysics()) return "the world is not a recording: it has no time to seek to";
-  if (time < Time::zero()) return "the time must be zero or more";
-  parts_->state.time = time;
-  parts_->state.iterations = static_cast<std::uint64_t>(time / stepSize());
+Outcome<void> Simulation::setTime(Time time) {
+  if (parts_->hasPhysics()) return {"the world is not a recording: it has no time to seek to"};
+  if (time < Time::zero()) return {"the time must be zero or more"};
+  parts_->access.state.time = time;
+  parts_->access.state.iterations = static_cast<std::uint64_t>(time / stepSize());
   parts_->systems.jump();
-  return std::nullopt;
+  return {};
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systems); }
 
-std::optional<std::string> Simulation::restoreState(std::span<const std::byte> state) {
+Outcome<void> Simulation::restoreState(std::span<const std::byte> state) {
   return sim::restoreState(state, parts_->access, parts_->systems);
 }
 
@@ -436,7 +355,7 @@ void Simulation::offerEdits() {
   if (!parts_->offers) parts_->offers.emplace(*this);
 }
 
-std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->state); }
+std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->access.state); }
 
 Transport& Simulation::transport() { return parts_->transport; }
 

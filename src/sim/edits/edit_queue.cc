@@ -54,15 +54,16 @@ void EditQueue::insertFirst() {
 // All removals up to the next insertion at once: each one alone would move up all entities behind it. Requests of a
 // system that goes with one of these models are left, to be forgotten.
 void EditQueue::removeFirst(std::uint64_t end) {
-  std::vector<std::optional<std::string>> refusals;
+  std::vector<Outcome<void>> outcomes;
   std::vector<ModelId> models;
   std::set<ModelId> gone;
   while (!requests_.empty() && requests_.front().number < end) {
     const auto* removal = std::get_if<RemovalOf>(&requests_.front().what);
     if (removal == nullptr || gone.contains(edits_.topLevel(requests_.front().owner->model()))) break;
     const bool isAgain = gone.contains(removal->model);
-    refusals.push_back(isAgain ? std::string(ModelEdits::kNoLongerThere) : edits_.refusalToRemove(removal->model));
-    if (!refusals.back()) gone.insert(removal->model);
+    outcomes.push_back(isAgain ? Outcome<void>{std::string(ModelEdits::kNoLongerThere)}
+                               : edits_.mayRemove(removal->model));
+    if (outcomes.back()) gone.insert(removal->model);
     takeFirst();
   }
   edits_.remove(std::vector<ModelId>(gone.begin(), gone.end()));
@@ -72,9 +73,9 @@ void EditQueue::removeFirst(std::uint64_t end) {
     if (request.owner == nullptr) continue;
     const auto& removed = std::get<RemovalOf>(request.what).removed;
     if (removed) {
-      request.owner->answer([&] { removed(refusals[i]); });
-    } else if (refusals[i]) {
-      request.owner->log().warning("a model can't be removed: " + *refusals[i]);
+      request.owner->answer([&] { removed(outcomes[i]); });
+    } else if (!outcomes[i]) {
+      request.owner->log().warning("a model can't be removed: " + outcomes[i].error);
     }
   }
 }

@@ -22,9 +22,8 @@ const Logger& editLog() {
   return log;
 }
 
-/// @param refusal Why not, or nothing.
-ServiceAnswer answerFor(const std::optional<std::string>& refusal) {
-  return refusal ? ServiceAnswer::refused(*refusal) : true;
+ServiceAnswer answerFor(const Outcome<void>& outcome) {
+  return outcome ? ServiceAnswer(true) : ServiceAnswer::refused(outcome.error);
 }
 
 }  // namespace
@@ -42,8 +41,8 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
                                                     [this](const Message& light) {
-                                                      if (const auto refusal = simulation_.changeLight(light))
-                                                        editLog().warning("light_config: " + *refusal);
+                                                      const Outcome<void> changed = simulation_.changeLight(light);
+                                                      if (!changed) editLog().warning("light_config: " + changed.error);
                                                     });
 }
 
@@ -59,70 +58,61 @@ void EditServices::serve(const char* name, const char* requestType, Answer answe
                                                            }));
 }
 
-std::optional<Vector3> EditServices::positionOf(const msgs::PlaceOnEarth& place, std::string& refusal) {
+Outcome<Vector3> EditServices::positionOf(const msgs::PlaceOnEarth& place) {
   const std::optional<TangentPlane> plane = simulation_.world().tangentPlane();
-  if (plane) return plane->positionOf(place.position);
-  refusal = "the world has no <spherical_coordinates>";
-  return std::nullopt;
+  if (!plane) return {std::nullopt, "the world has no <spherical_coordinates>"};
+  return {plane->positionOf(place.position), {}};
 }
 
-std::optional<Pose> EditServices::poseFor(const msgs::EntityFactory& asked, std::string& refusal) {
-  if (!asked.place) return asked.pose;
-  const std::optional<Vector3> position = positionOf(*asked.place, refusal);
-  if (!position) return std::nullopt;
-  Pose pose = asked.pose.value_or(Pose());
-  pose.position = *position;
-  pose.rotation = fromRollPitchYaw(0, 0, asked.place->heading) * pose.rotation;
-  return pose;
-}
-
-std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked, Inserted& inserted) {
-  if (!asked.unknownField.empty()) return "field '" + asked.unknownField + "' is not supported";
+Outcome<void> EditServices::insert(const msgs::EntityFactory& asked, Inserted& inserted) {
+  if (!asked.unknownField.empty()) return {"field '" + asked.unknownField + "' is not supported"};
   const int sources =
       int{!asked.text.empty()} + int{!asked.file.empty()} + int{!asked.original.empty()} + int{asked.light != nullptr};
-  if (sources != 1) return "give one of 'sdf', 'sdf_filename', 'clone_name' and 'light'";
-  std::string refusal;
-  const InsertOptions options{
-      .name = asked.name, .pose = poseFor(asked, refusal), .allowRenaming = asked.allowRenaming};
-  if (!refusal.empty()) return refusal;
+  if (sources != 1) return {"give one of 'sdf', 'sdf_filename', 'clone_name' and 'light'"};
+  InsertOptions options{.name = asked.name, .pose = asked.pose, .allowRenaming = asked.allowRenaming};
+  if (asked.place) {
+    Outcome<Vector3> position = positionOf(*asked.place);
+    if (!position) return {position.error};
+    const Quaternion rotation = asked.pose.value_or(Pose()).rotation;
+    options.pose = Pose{*position, fromRollPitchYaw(0, 0, asked.place->heading) * rotation};
+  }
   if (asked.light != nullptr) return insertLight(asked, options, inserted);
   return asked.original.empty() ? insertModelOrLight(asked, options, inserted) : insertCopy(asked, options, inserted);
 }
 
-std::optional<std::string> EditServices::insertModelOrLight(const msgs::EntityFactory& asked,
-                                                            const InsertOptions& options, Inserted& inserted) {
+Outcome<void> EditServices::insertModelOrLight(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                               Inserted& inserted) {
   Diagnostics diagnostics;
   const std::optional<ModelOrLight> entity =
       asked.text.empty() ? simulation_.insertModelOrLight(asked.file, options, diagnostics)
                          : simulation_.insertModelOrLight(asked.text, "sdf", options, diagnostics);
   const std::string error = logDiagnostics(diagnostics, editLog());
-  if (!entity) return error;
+  if (!entity) return {error};
   if (const Model* model = std::get_if<Model>(&*entity))
     inserted.models.push_back(*model);
   else
     inserted.lights.push_back(std::get<std::string>(*entity));
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> EditServices::insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                                    Inserted& inserted) {
-  std::string refusal;
-  const std::optional<Model> original = find({.id = 0, .name = asked.original, .type = "MODEL"}, refusal);
-  if (!original) return refusal;
+Outcome<void> EditServices::insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                       Inserted& inserted) {
+  Outcome<Model> original = find({.id = 0, .name = asked.original, .type = "MODEL"});
+  if (!original) return {original.error};
   Diagnostics diagnostics;
   const std::optional<Model> model = simulation_.insertCopy(*original, options, diagnostics);
   const std::string error = logDiagnostics(diagnostics, editLog());
-  if (!model) return error;
+  if (!model) return {error};
   inserted.models.push_back(*model);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> EditServices::insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                                     Inserted& inserted) {
+Outcome<void> EditServices::insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                        Inserted& inserted) {
   const Outcome<std::string> name = simulation_.insertLight(*asked.light, options);
-  if (!name.value) return name.error;
+  if (!name) return {name.error};
   inserted.lights.push_back(*name.value);
-  return std::nullopt;
+  return {};
 }
 
 ServiceAnswer EditServices::create(const Message& request) {
@@ -134,36 +124,31 @@ ServiceAnswer EditServices::create(const Message& request) {
 ServiceAnswer EditServices::createMultiple(const Message& request) {
   Inserted inserted;
   for (const msgs::EntityFactory& asked : msgs::entityFactories(request)) {
-    const std::optional<std::string> error = insert(asked, inserted);
-    if (!error) continue;
+    const Outcome<void> done = insert(asked, inserted);
+    if (done) continue;
     const std::string number = std::to_string(inserted.models.size() + inserted.lights.size() + 1);
     simulation_.remove(inserted.models);
     for (const std::string& light : inserted.lights) simulation_.removeLight({}, light);
-    return ServiceAnswer::refused("number " + number + ": " + *error);
+    return ServiceAnswer::refused("number " + number + ": " + done.error);
   }
   return true;
 }
 
-std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::string& error) {
+Outcome<Model> EditServices::find(const msgs::EntityName& asked) {
   const World world = simulation_.world();
   const std::optional<Model> found = asked.id != 0 ? world.model(ModelId{asked.id}) : world.model(asked.name);
-  if (found && !found->parent()) return found;
-  if (asked.id != 0) {
-    error = "there is no top-level model with the id " + std::to_string(asked.id);
-  } else if (asked.name.empty()) {
-    error = "give a name or an id";
-  } else if (found) {
-    error = "'" + asked.name + "' is nested in another model";
-  } else if (simulation_.isSetAside(asked.name)) {
-    error = "model '" + asked.name + "' is in a level that is not loaded";
-  } else {
-    std::vector<std::string_view> names;
-    const std::vector<Model> models = world.models();
-    for (const Model& model : models) names.push_back(model.name());
-    const std::string nearest = base::didYouMean(asked.name, names);
-    error = "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
+  if (found && !found->parent()) return {found, {}};
+  if (asked.id != 0) return {std::nullopt, "there is no top-level model with the id " + std::to_string(asked.id)};
+  if (asked.name.empty()) return {std::nullopt, "give a name or an id"};
+  if (found) return {std::nullopt, "'" + asked.name + "' is nested in another model"};
+  if (simulation_.isSetAside(asked.name)) {
+    return {std::nullopt, "model '" + asked.name + "' is in a level that is not loaded"};
   }
-  return std::nullopt;
+  std::vector<std::string_view> names;
+  const std::vector<Model> models = world.models();
+  for (const Model& model : models) names.push_back(model.name());
+  const std::string nearest = base::didYouMean(asked.name, names);
+  return {std::nullopt, "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest)};
 }
 
 ServiceAnswer EditServices::remove(const Message& request) {
@@ -172,17 +157,15 @@ ServiceAnswer EditServices::remove(const Message& request) {
   if (asked.type != "MODEL" && (asked.id == 0 || asked.type != "NONE")) {
     return ServiceAnswer::refused("'type: " + asked.type + "': only models and lights can be removed");
   }
-  std::string error;
-  const std::optional<Model> model = find(asked, error);
-  if (!model) return ServiceAnswer::refused(error);
+  Outcome<Model> model = find(asked);
+  if (!model) return ServiceAnswer::refused(model.error);
   return answerFor(simulation_.remove(*model));
 }
 
 ServiceAnswer EditServices::setPose(const Message& request) {
   const msgs::PoseOfEntity asked = msgs::poseOfEntity(request);
-  std::string error;
-  std::optional<Model> model = find(asked.entity, error);
-  if (!model) return ServiceAnswer::refused(error);
+  Outcome<Model> model = find(asked.entity);
+  if (!model) return ServiceAnswer::refused(model.error);
   return answerFor(model->setPose(asked.pose));
 }
 
@@ -191,14 +174,13 @@ ServiceAnswer EditServices::setPoses(const Message& request) {
   const std::vector<msgs::PoseOfEntity> asked = msgs::posesOfEntities(request);
   std::vector<Model> models;
   for (const msgs::PoseOfEntity& each : asked) {
-    std::string error;
-    const std::optional<Model> model = find(each.entity, error);
-    if (!model) return ServiceAnswer::refused(error);
+    Outcome<Model> model = find(each.entity);
+    if (!model) return ServiceAnswer::refused(model.error);
     models.push_back(*model);
   }
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const std::optional<std::string> refusal = models[i].setPose(asked[i].pose);
-    if (refusal) return ServiceAnswer::refused("model '" + std::string(models[i].name()) + "': " + *refusal);
+    const Outcome<void> moved = models[i].setPose(asked[i].pose);
+    if (!moved) return ServiceAnswer::refused("model '" + std::string(models[i].name()) + "': " + moved.error);
   }
   return true;
 }
@@ -207,11 +189,10 @@ ServiceAnswer EditServices::setPoses(const Message& request) {
 ServiceAnswer EditServices::setPlace(const Message& request) {
   const auto [entity, place] = msgs::placeOfEntity(request);
   if (!entity) return answerFor(simulation_.world().setPlace(place.position, place.heading));
-  std::string error;
-  std::optional<Model> model = find(*entity, error);
-  if (!model) return ServiceAnswer::refused(error);
-  const std::optional<Vector3> position = positionOf(place, error);
-  if (!position) return ServiceAnswer::refused(error);
+  Outcome<Model> model = find(*entity);
+  if (!model) return ServiceAnswer::refused(model.error);
+  Outcome<Vector3> position = positionOf(place);
+  if (!position) return ServiceAnswer::refused(position.error);
   Pose pose = model->pose();
   pose.position = *position;
   return answerFor(model->setPose(pose));
@@ -230,47 +211,42 @@ ServiceAnswer EditServices::setPhysics(const Message& request) {
   }
   const Time oldStep = simulation_.stepSize();
   const double oldFactor = simulation_.realTimeFactor();
-  std::optional<std::string> refusal;
+  Outcome<void> done;
   // looked at before it becomes a time, which it may not fit
   const double longest = toSeconds(Simulation::kLongestStep);
-  if (!(asked.stepSize >= 0 && asked.stepSize <= longest)) refusal = "max_step_size is not between 0 and 1 s";
-  if (!refusal && asked.stepSize != 0) refusal = simulation_.setStepSize(fromSeconds(asked.stepSize));
-  if (!refusal && asked.realTimeFactor != 0) refusal = simulation_.setRealTimeFactor(asked.realTimeFactor);
-  if (!refusal && asked.gravity) refusal = simulation_.world().setGravity(*asked.gravity);
-  if (!refusal) return true;
+  if (!(asked.stepSize >= 0 && asked.stepSize <= longest)) done = {"max_step_size is not between 0 and 1 s"};
+  if (done && asked.stepSize != 0) done = simulation_.setStepSize(fromSeconds(asked.stepSize));
+  if (done && asked.realTimeFactor != 0) done = simulation_.setRealTimeFactor(asked.realTimeFactor);
+  if (done && asked.gravity) done = simulation_.world().setGravity(*asked.gravity);
+  if (done) return true;
   simulation_.setStepSize(oldStep);
   simulation_.setRealTimeFactor(oldFactor);
-  return ServiceAnswer::refused(*refusal);
+  return ServiceAnswer::refused(done.error);
 }
 
-std::optional<msgs::EntityName> EditServices::findLinkOrModel(const msgs::EntityName& asked, std::string& error) {
+Outcome<msgs::EntityName> EditServices::findLinkOrModel(const msgs::EntityName& asked) {
   const World world = simulation_.world();
   if (asked.id != 0) {
-    if (const auto link = world.link(LinkId{asked.id})) return msgs::EntityName{asked.id, link->scopedName(), "LINK"};
-    if (const auto model = world.model(ModelId{asked.id})) {
-      return msgs::EntityName{asked.id, model->scopedName(), "MODEL"};
-    }
-    error = "there is no link or model with the id " + std::to_string(asked.id);
-    return std::nullopt;
+    if (const auto link = world.link(LinkId{asked.id})) return {{{asked.id, link->scopedName(), "LINK"}}, {}};
+    if (const auto model = world.model(ModelId{asked.id})) return {{{asked.id, model->scopedName(), "MODEL"}}, {}};
+    return {std::nullopt, "there is no link or model with the id " + std::to_string(asked.id)};
   }
-  if (const auto model = world.model(asked.name)) return msgs::EntityName{model->id().value, asked.name, "MODEL"};
+  if (const auto model = world.model(asked.name)) return {{{model->id().value, asked.name, "MODEL"}}, {}};
   const std::size_t colons = asked.name.rfind("::");
   if (colons != std::string::npos) {
     const auto model = world.model(std::string_view(asked.name).substr(0, colons));
     const auto link = model ? model->link(std::string_view(asked.name).substr(colons + 2)) : std::nullopt;
-    if (link) return msgs::EntityName{link->id().value, asked.name, "LINK"};
+    if (link) return {{{link->id().value, asked.name, "LINK"}}, {}};
   }
-  error = asked.name.empty() ? "give a name or an id"
-                             : "there is no model '" + asked.name + "', and no link of that name (it is 'MODEL::LINK')";
-  return std::nullopt;
+  if (asked.name.empty()) return {std::nullopt, "give a name or an id"};
+  return {std::nullopt, "there is no model '" + asked.name + "', and no link of that name (it is 'MODEL::LINK')"};
 }
 
 /// Passes it on to the systems that let wheels slip, which take it up at the next step.
 ServiceAnswer EditServices::setWheelSlip(const Message& request) {
   msgs::WheelSlip asked = msgs::wheelSlip(request);
-  std::string error;
-  const std::optional<msgs::EntityName> entity = findLinkOrModel(asked.entity, error);
-  if (!entity) return ServiceAnswer::refused(error);
+  Outcome<msgs::EntityName> entity = findLinkOrModel(asked.entity);
+  if (!entity) return ServiceAnswer::refused(entity.error);
   const auto isSound = [](double compliance) { return compliance >= 0 && std::isfinite(compliance); };
   if (!isSound(asked.lateral) || !isSound(asked.longitudinal)) {
     return ServiceAnswer::refused("slip compliances must be finite and zero or more");

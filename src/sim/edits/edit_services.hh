@@ -43,24 +43,18 @@ class EditServices {
     std::vector<Model> models;
     std::vector<std::string> lights;
   };
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> insert(const msgs::EntityFactory& asked, Inserted& inserted);
+  Outcome<void> insert(const msgs::EntityFactory& asked, Inserted& inserted);
   /// From text or a file.
-  std::optional<std::string> insertModelOrLight(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                                Inserted& inserted);
-  std::optional<std::string> insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                        Inserted& inserted);
-  std::optional<std::string> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                         Inserted& inserted);
-  /// @return The position in the world; nothing, with `refusal`, if there is none.
-  std::optional<Vector3> positionOf(const msgs::PlaceOnEarth& place, std::string& refusal);
-  /// @return The requested pose, or nothing; with `refusal`, it is impossible.
-  std::optional<Pose> poseFor(const msgs::EntityFactory& asked, std::string& refusal);
+  Outcome<void> insertModelOrLight(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);
+  Outcome<void> insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);
+  Outcome<void> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);
+  /// @return The position in the world.
+  Outcome<Vector3> positionOf(const msgs::PlaceOnEarth& place);
   ServiceAnswer setPerformer(const Message& request);
-  /// @return The top-level model; nothing, with `error`, if there is none.
-  std::optional<Model> find(const msgs::EntityName& asked, std::string& error);
-  /// @return The link or model at any level; nothing, with `error`, if there is none.
-  std::optional<msgs::EntityName> findLinkOrModel(const msgs::EntityName& asked, std::string& error);
+  /// @return The top-level model.
+  Outcome<Model> find(const msgs::EntityName& asked);
+  /// @return The link or model at any level.
+  Outcome<msgs::EntityName> findLinkOrModel(const msgs::EntityName& asked);
 
   Simulation& simulation_;
   std::vector<Service> services_;

@@ -1,6 +1,7 @@
 #include "sim/edits/editor.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -28,6 +29,12 @@ std::string Editor::freeName(const std::string& name) const {
   }
 }
 
+void Editor::noteChange() {
+  assert(access_.state.links.size() == access_.entities.links().size());
+  assert(access_.state.joints.size() == access_.entities.joints().size());
+  access_.noteChange();
+}
+
 template <class Insert>
 world::Slot Editor::insertAllOrNothing(Insert insert) {
   const world::Entities::Extent before = access_.entities.extent();
@@ -36,7 +43,7 @@ world::Slot Editor::insertAllOrNothing(Insert insert) {
     access_.state.grow(access_.entities);
     // undoes its own part where it fails
     access_.engine.grow();
-    access_.noteChange();
+    noteChange();
     return slot;
   } catch (...) {
     access_.entities.undoInsertions(before);
@@ -54,7 +61,7 @@ std::vector<ModelId> Editor::remove(const std::vector<world::Slot>& models) {
   // from here on nothing allocates
   access_.engine.remove(removal);
   access_.state.remove(removal);
-  access_.noteChange();
+  noteChange();
   return std::move(removal.models);
 }
 
@@ -84,32 +91,32 @@ void Editor::move(const std::vector<world::Slot>& links, const Pose& X_NewOld, A
   }
 }
 
-std::optional<std::string> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
-  if (!isSound(X_WorldModel)) return "the pose is not finite";
+Outcome<void> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
+  if (!isSound(X_WorldModel)) return {"the pose is not finite"};
   const Pose X_WorldNew{X_WorldModel.position, X_WorldModel.rotation.normalized()};
   std::vector<world::Slot> links = access_.entities.allLinks(model);
   std::ranges::sort(links);
   if (links.empty()) {
     access_.entities.setPose(model, X_WorldNew);
-    return std::nullopt;
+    return {};
   }
   if (const world::JointRecord* joint = holder(links)) {
-    return "model '" + access_.entities.models()[model].scopedName + "' is held by joint '" + joint->description->name +
-           "'";
+    return {"model '" + access_.entities.models()[model].scopedName + "' is held by joint '" +
+            joint->description->name + "'"};
   }
   move(links, X_WorldNew * world::modelPose(access_.entities, access_.state, model).inverse(), after);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after) {
-  if (!isSound(X_WorldLink)) return "the pose is not finite";
+Outcome<void> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after) {
+  if (!isSound(X_WorldLink)) return {"the pose is not finite"};
   if (const world::JointRecord* joint = holder({link})) {
-    return "link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
-           joint->description->name + "'";
+    return {"link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
+            joint->description->name + "'"};
   }
   const Pose X_WorldNew{X_WorldLink.position, X_WorldLink.rotation.normalized()};
   move({link}, X_WorldNew * access_.state.links[link].X_WorldLink.inverse(), after);
-  return std::nullopt;
+  return {};
 }
 
 world::Slot Editor::attach(world::Slot parent, world::Slot child, std::string name) {
@@ -139,7 +146,7 @@ void Editor::detach(world::Slot joint) {
   const world::Removal removal = access_.entities.removeJoint(joint);
   access_.engine.remove(removal);
   access_.state.remove(removal);
-  access_.noteChange();
+  noteChange();
 }
 
 void Editor::setGravity(const Vector3& gravity) {
@@ -151,7 +158,7 @@ void Editor::setAside(const std::vector<std::uint64_t>& ids) {
   const world::Entities::Switched switched = access_.entities.setAside(ids);
   if (!switched.isAny) return;
   access_.engine.setAside(switched);
-  access_.noteChange();
+  noteChange();
 }
 
 void Editor::reset() {
@@ -164,7 +171,7 @@ void Editor::reset() {
   access_.state = world::State(access_.entities);
   access_.state.batteries = std::move(batteries);
   access_.engine.reset();
-  access_.noteChange();
+  noteChange();
 }
 
 void Editor::cutPower() {

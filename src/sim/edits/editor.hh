@@ -33,9 +33,8 @@ class Editor {
   /// @return The removed models, nested ones too, in ascending order.
   std::vector<ModelId> remove(const std::vector<world::Slot>& models);
 
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
-  std::optional<std::string> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
+  Outcome<void> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
+  Outcome<void> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
 
   /// Moves links like a rigid body, ignoring joints.
   void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
@@ -62,6 +61,8 @@ class Editor {
  private:
   /// @return A joint that connects some of these links, in ascending order, to another link; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
+  /// Call it after each change of what there is.
+  void noteChange();
   /// Adds to the entities what `insert` adds, and then to state and engine.
   template <class Insert>
   world::Slot insertAllOrNothing(Insert insert);

@@ -64,19 +64,18 @@ constexpr const char* kRobot = R"(<sdf version="1.9"><model name="robot"><pose>0
 
 struct Running {
   sdf::Root root;
-  world::Entities entities;
-  world::State state{entities};
-  physics::Engine engine{entities};
-  Access access{entities, state, engine};
+  Access access;
+  const world::Entities& entities = access.entities;
+  world::State& state = access.state;
   Editor editor{access};
 
   explicit Running(Diagnostics diagnostics = {})
-      : root(sdf::loadText(kWorld, "world.sdf", diagnostics, {})), entities(root.worlds.at(0)) {}
+      : root(sdf::loadText(kWorld, "world.sdf", diagnostics, {})), access(root.worlds.at(0)) {}
 
   void step(int count) {
     ASSERT_EQ(state.links.size(), entities.links().size());
     ASSERT_EQ(state.joints.size(), entities.joints().size());
-    for (int i = 0; i < count; ++i) engine.step(state.stepSize, state);
+    for (int i = 0; i < count; ++i) access.engine.step(state.stepSize, state);
   }
 };
 
@@ -121,7 +120,7 @@ class EditorMemoryTest : public testing::Test {
     edit(untouched);
     for (Running* running : {&failing, &untouched}) running->step(200);
     EXPECT_EQ(world::stateHash(failing.state), world::stateHash(untouched.state));
-    EXPECT_EQ(failing.entities.nextId(), untouched.entities.nextId());
+    EXPECT_EQ(failing.access.entities.nextId(), untouched.access.entities.nextId());
   }
 };
 

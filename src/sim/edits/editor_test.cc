@@ -119,13 +119,13 @@ TEST_F(ChangedWorld, LetsAModelGoAndItsHandlesSaySo) {
   const Joint elbow = arm.joint("elbow").value();
   const Sensor imu = lower.sensors().at(0);
   const Collision skin = model("ball").link("skin")->collisions().at(0);
-  EXPECT_EQ(simulation_->remove(arm), std::nullopt);
+  EXPECT_TRUE(simulation_->remove(arm));
   EXPECT_FALSE(arm.exists() || lower.exists() || elbow.exists() || imu.exists());
   EXPECT_THROW(arm.pose(), Gone);
   EXPECT_THROW(lower.pose(), Gone);
   EXPECT_THROW(elbow.position(), Gone);
   EXPECT_THROW(imu.pose(), Gone);
-  EXPECT_EQ(simulation_->remove(arm), "the model no longer exists");
+  EXPECT_EQ(simulation_->remove(arm).error, "the model no longer exists");
   EXPECT_TRUE(skin.exists());
   EXPECT_EQ(skin.scopedName(), "ball::skin::c");
   simulation_->step(1000);
@@ -136,7 +136,7 @@ TEST_F(ChangedWorld, LetsWhatLaysOnAModelFallWhenThatGoes) {
   model("ball").setPose({{5, 0, 1.5}, Quaternion::Identity()}, AfterMove::kStop);
   simulation_->step(1000);
   ASSERT_NEAR(model("ball").pose().position.z(), 1.5, 1e-3);
-  EXPECT_EQ(simulation_->remove(model("table")), std::nullopt);
+  EXPECT_TRUE(simulation_->remove(model("table")));
   simulation_->step(1000);
   EXPECT_NEAR(model("ball").pose().position.z(), 0.5, 1e-3);
 }
@@ -145,30 +145,30 @@ TEST_F(ChangedWorld, MovesAWholeModelAtOnce) {
   Model arm = model("arm");
   arm.setVelocity({1, 0, 0}, Vector3::Zero());
   const Quaternion turn = fromRollPitchYaw(0, 0, M_PI / 2);
-  EXPECT_EQ(arm.setPose({{3, 3, 3}, turn}), std::nullopt);
+  EXPECT_TRUE(arm.setPose({{3, 3, 3}, turn}));
   EXPECT_TRUE(arm.link("lower")->pose().position.isApprox(Vector3(3, 4, 3)));
   EXPECT_TRUE(arm.link("lower")->linearVelocity().isApprox(Vector3(0, 1, 0)));
   simulation_->step();
   EXPECT_NEAR(arm.link("lower")->pose().position.y(), 4.001, 1e-6);
   EXPECT_NEAR(arm.joint("elbow")->position(), 0, 1e-9);
-  EXPECT_EQ(arm.setPose({{0, 0, 9}, turn}, AfterMove::kStop), std::nullopt);
+  EXPECT_TRUE(arm.setPose({{0, 0, 9}, turn}, AfterMove::kStop));
   EXPECT_EQ(arm.link("lower")->linearVelocity(), Vector3::Zero());
 }
 
 TEST_F(ChangedWorld, MovesWhatIsStatic) {
-  EXPECT_EQ(model("table").setPose({{0, 0, -0.5}, Quaternion::Identity()}), std::nullopt);
+  EXPECT_TRUE(model("table").setPose({{0, 0, -0.5}, Quaternion::Identity()}));
   EXPECT_EQ(model("table").link("link")->pose().position, Vector3(0, 0, 0));
   simulation_->step(1500);
   EXPECT_NEAR(model("ball").pose().position.z(), 1, 1e-3);
 }
 
 TEST_F(ChangedWorld, MovesALinkThatNoJointHolds) {
-  EXPECT_EQ(model("ball").link("skin")->setPose({{0, 0, 8}, Quaternion::Identity()}), std::nullopt);
+  EXPECT_TRUE(model("ball").link("skin")->setPose({{0, 0, 8}, Quaternion::Identity()}));
   EXPECT_EQ(model("ball").pose().position.z(), 8);
-  EXPECT_EQ(model("arm").link("upper")->setPose(Pose()), "link 'upper' is held by joint 'elbow'");
-  EXPECT_EQ(model("post").setPose(Pose()), "model 'post' is held by joint 'root'");
+  EXPECT_EQ(model("arm").link("upper")->setPose(Pose()).error, "link 'upper' is held by joint 'elbow'");
+  EXPECT_EQ(model("post").setPose(Pose()).error, "model 'post' is held by joint 'root'");
   const Pose nowhere{{0, 0, 0}, Quaternion(0, 0, 0, 0)};
-  EXPECT_EQ(model("ball").setPose(nowhere), "the pose is not finite");
+  EXPECT_EQ(model("ball").setPose(nowhere).error, "the pose is not finite");
 }
 
 TEST_F(ChangedWorld, HoldsTwoLinksTogetherUntilTheyAreDetached) {
@@ -179,9 +179,9 @@ TEST_F(ChangedWorld, HoldsTwoLinksTogetherUntilTheyAreDetached) {
   EXPECT_EQ(joint->type(), "fixed");
   simulation_->step(500);
   EXPECT_NEAR(ball.pose().position.z(), 1, 1e-3);
-  EXPECT_EQ(world().detach(*joint), std::nullopt);
+  EXPECT_TRUE(world().detach(*joint));
   EXPECT_FALSE(joint->exists());
-  EXPECT_EQ(world().detach(*joint), "the joint no longer exists");
+  EXPECT_EQ(world().detach(*joint).error, "the joint no longer exists");
   simulation_->step(500);
   EXPECT_NEAR(ball.pose().position.z(), 0.5, 1e-3);
   EXPECT_EQ(world().attach(ball, ball).error, "a link can't be attached to itself");
@@ -202,7 +202,7 @@ TEST_F(ChangedWorld, LetsAttachedLinksTouchAgainOnceDetached) {
   };
   simulation_->step(10);
   EXPECT_FALSE(touches());
-  EXPECT_EQ(world().detach(*joint), std::nullopt);
+  EXPECT_TRUE(world().detach(*joint));
   simulation_->step(10);
   EXPECT_TRUE(touches());
   EXPECT_NEAR(body.pose().position.z(), 1.5, 2e-3);
@@ -211,17 +211,17 @@ TEST_F(ChangedWorld, LetsAttachedLinksTouchAgainOnceDetached) {
 TEST_F(ChangedWorld, LosesAnAttachmentWithItsModel) {
   Outcome<Joint> joint = world().attach(model("ball").link("skin").value(), model("arm").link("upper").value());
   ASSERT_TRUE(joint);
-  EXPECT_EQ(simulation_->remove(model("ball")), std::nullopt);
+  EXPECT_TRUE(simulation_->remove(model("ball")));
   EXPECT_FALSE(joint->exists());
   simulation_->step(10);
 }
 
 TEST_F(ChangedWorld, FallsAsGravitySays) {
-  EXPECT_EQ(world().setGravity({0, 0, 2}), std::nullopt);
+  EXPECT_TRUE(world().setGravity({0, 0, 2}));
   EXPECT_EQ(world().gravity(), Vector3(0, 0, 2));
   simulation_->step(100);
   EXPECT_NEAR(model("ball").link("skin")->linearVelocity().z(), 0.2, 1e-9);
-  EXPECT_EQ(world().setGravity({0, 0, std::numeric_limits<double>::infinity()}), "gravity is not finite");
+  EXPECT_EQ(world().setGravity({0, 0, std::numeric_limits<double>::infinity()}).error, "gravity is not finite");
   // what comes later falls alike
   EXPECT_TRUE(insert(kBoxModel));
   simulation_->step();
@@ -229,15 +229,15 @@ TEST_F(ChangedWorld, FallsAsGravitySays) {
 }
 
 TEST_F(ChangedWorld, StepsAsItIsTold) {
-  EXPECT_EQ(simulation_->setStepSize(std::chrono::milliseconds(5)), std::nullopt);
+  EXPECT_TRUE(simulation_->setStepSize(std::chrono::milliseconds(5)));
   simulation_->step(2);
   EXPECT_EQ(simulation_->time(), std::chrono::milliseconds(10));
-  EXPECT_TRUE(simulation_->setStepSize(Time(0)).has_value());
-  EXPECT_TRUE(simulation_->setStepSize(Time(-1)).has_value());
-  EXPECT_TRUE(simulation_->setStepSize(std::chrono::milliseconds(1001)).has_value());
-  EXPECT_EQ(simulation_->setRealTimeFactor(0.5), std::nullopt);
+  EXPECT_FALSE(simulation_->setStepSize(Time(0)));
+  EXPECT_FALSE(simulation_->setStepSize(Time(-1)));
+  EXPECT_FALSE(simulation_->setStepSize(std::chrono::milliseconds(1001)));
+  EXPECT_TRUE(simulation_->setRealTimeFactor(0.5));
   EXPECT_EQ(simulation_->realTimeFactor(), 0.5);
-  EXPECT_TRUE(simulation_->setRealTimeFactor(-1).has_value());
+  EXPECT_FALSE(simulation_->setRealTimeFactor(-1));
   EXPECT_EQ(simulation_->realTimeFactor(), 0.5);
 }
 
@@ -250,7 +250,7 @@ TEST_F(ChangedWorld, GoesBackToTheFirstBit) {
 
   insert(kBoxModel);
   const Model box = model("box");
-  EXPECT_EQ(simulation_->remove(ball), std::nullopt);
+  EXPECT_TRUE(simulation_->remove(ball));
   world().setGravity({1, 0, 0});
   simulation_->setStepSize(std::chrono::milliseconds(3));
   EXPECT_TRUE(world().attach(lower, model("post").link("pole").value()));

@@ -14,50 +14,45 @@ namespace pongsim::sim {
 
 namespace {
 
-/// @return The slot of the light, or none and `refusal`.
-world::Slot findLight(const Access& access, const msgs::LightName& asked, std::string& refusal) {
+/// @return The slot of the light.
+Outcome<world::Slot> findLight(const Access& access, const msgs::LightName& asked) {
   const world::Entities& entities = access.entities;
   world::Slot holder = world::kNoSlot;
   if (asked.id != 0) {
     const world::Slot slot = entities.slot(LightId{asked.id});
-    if (slot == world::kNoSlot) refusal = "there is no light with the id " + std::to_string(asked.id);
-    return slot;
+    if (slot != world::kNoSlot) return {slot, {}};
+    return {std::nullopt, "there is no light with the id " + std::to_string(asked.id)};
   }
-  if (asked.name.empty()) {
-    refusal = "give a name or an id";
-    return world::kNoSlot;
-  }
+  if (asked.name.empty()) return {std::nullopt, "give a name or an id"};
   if (asked.parent != 0 && asked.parent != entities.worldId().value) {
     holder = entities.slot(LinkId{asked.parent});
     if (holder == world::kNoSlot) {
-      refusal = "there is no link with the id " + std::to_string(asked.parent) + " to hold a light";
-      return world::kNoSlot;
+      return {std::nullopt, "there is no link with the id " + std::to_string(asked.parent) + " to hold a light"};
     }
   }
   const world::Slot slot = entities.findLight(holder, asked.name);
-  if (slot != world::kNoSlot) return slot;
+  if (slot != world::kNoSlot) return {slot, {}};
   std::vector<std::string_view> names;
   for (const world::LightRecord& light : world::present(entities.lights())) {
     if (light.link == holder) names.push_back(light.description->name);
   }
   const std::string nearest = base::didYouMean(asked.name, names);
-  refusal = "there is no light '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
-  return world::kNoSlot;
+  return {std::nullopt, "there is no light '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest)};
 }
 
 /// Makes the direction a unit vector.
 /// @return Why there can be no such light, or nothing.
-std::optional<std::string> checkLight(description::Light& light) {
+Outcome<void> checkLight(description::Light& light) {
   const double length = light.direction.norm();
-  if (!std::isfinite(length) || length < 1e-9) return "the light's direction is not finite, or zero";
+  if (!std::isfinite(length) || length < 1e-9) return {"the light's direction is not finite, or zero"};
   light.direction /= length;
-  if (!light.X_ParentLight.position.allFinite()) return "the light's pose is not finite";
+  if (!light.X_ParentLight.position.allFinite()) return {"the light's pose is not finite"};
   for (const double value :
        {light.range, light.constantAttenuation, light.linearAttenuation, light.quadraticAttenuation, light.innerAngle,
         light.outerAngle, light.falloff, light.intensity}) {
-    if (!std::isfinite(value) || value < 0) return "the light's values must be finite and zero or more";
+    if (!std::isfinite(value) || value < 0) return {"the light's values must be finite and zero or more"};
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ Outcome<std::string> insertLight(Access& access, description::Light light, const
   if (options.pose) light.X_ParentLight = *options.pose;
   if (!isSound(light.X_ParentLight)) return {std::nullopt, "the light's pose is not finite"};
   light.X_ParentLight.rotation.normalize();
-  if (std::optional<std::string> refusal = checkLight(light)) return {std::nullopt, *refusal};
+  if (const Outcome<void> checked = checkLight(light); !checked) return {std::nullopt, checked.error};
   Outcome<std::string> name{light.name, {}};
   access.entities.insertLight(std::make_shared<description::Light>(std::move(light)));
   access.noteChange();
@@ -87,28 +82,26 @@ Outcome<std::string> insertLight(Access& access, const Message& light, const Ins
   return insertLight(access, msgs::changedLight(blank, light), options);
 }
 
-std::optional<std::string> changeLight(Access& access, const Message& light) {
-  std::string refusal;
-  const world::Slot slot = findLight(access, msgs::lightName(light), refusal);
-  if (slot == world::kNoSlot) return refusal;
+Outcome<void> changeLight(Access& access, const Message& light) {
+  Outcome<world::Slot> slot = findLight(access, msgs::lightName(light));
+  if (!slot) return {slot.error};
   auto changed =
-      std::make_shared<description::Light>(msgs::changedLight(*access.entities.lights()[slot].description, light));
-  if (std::optional<std::string> wrong = checkLight(*changed)) return wrong;
-  access.entities.changeLight(slot, std::move(changed));
+      std::make_shared<description::Light>(msgs::changedLight(*access.entities.lights()[*slot].description, light));
+  if (Outcome<void> checked = checkLight(*changed); !checked) return checked;
+  access.entities.changeLight(*slot, std::move(changed));
   access.noteChange();
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> removeLight(Access& access, std::uint64_t id, const std::string& name) {
-  std::string refusal;
-  const world::Slot slot = findLight(access, {.id = id, .name = name, .parent = 0}, refusal);
-  if (slot == world::kNoSlot) return refusal;
-  if (access.entities.lights()[slot].link != world::kNoSlot) {
-    return "the light with the id " + std::to_string(id) + " is part of a link and can't be removed alone";
+Outcome<void> removeLight(Access& access, std::uint64_t id, const std::string& name) {
+  Outcome<world::Slot> slot = findLight(access, {.id = id, .name = name, .parent = 0});
+  if (!slot) return {slot.error};
+  if (access.entities.lights()[*slot].link != world::kNoSlot) {
+    return {"the light with the id " + std::to_string(id) + " is part of a link and can't be removed alone"};
   }
-  access.entities.removeLight(slot);
+  access.entities.removeLight(*slot);
   access.noteChange();
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace pongsim::sim

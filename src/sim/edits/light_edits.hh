@@ -23,11 +23,10 @@ Outcome<std::string> insertLight(Access& access, description::Light light, const
 Outcome<std::string> insertLight(Access& access, const Message& light, const InsertOptions& options);
 
 /// Changes the light that the message identifies; see `msgs::changedLight`.
-/// @return Why it was refused, or nothing; likewise below.
-std::optional<std::string> changeLight(Access& access, const Message& light);
+Outcome<void> changeLight(Access& access, const Message& light);
 
 /// Removes a light of the world.
 /// @param id 0: use the name.
-std::optional<std::string> removeLight(Access& access, std::uint64_t id, const std::string& name);
+Outcome<void> removeLight(Access& access, std::uint64_t id, const std::string& name);
 
 }  // namespace pongsim::sim

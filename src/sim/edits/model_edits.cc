@@ -207,31 +207,31 @@ ModelId ModelEdits::topLevel(ModelId model) const {
   return models[slot].id;
 }
 
-std::optional<std::string> ModelEdits::refusalToRemove(ModelId model) const {
+Outcome<void> ModelEdits::mayRemove(ModelId model) const {
   const world::Slot slot = access_.entities.slot(model);
-  if (slot == world::kNoSlot) return std::string(kNoLongerThere);
+  if (slot == world::kNoSlot) return {std::string(kNoLongerThere)};
   const world::ModelRecord& record = access_.entities.models()[slot];
   if (record.parent != world::kNoSlot) {
-    return "model '" + record.scopedName + "' is part of '" + access_.entities.models()[record.parent].scopedName +
-           "' and can't be removed alone";
+    return {"model '" + record.scopedName + "' is part of '" + access_.entities.models()[record.parent].scopedName +
+            "' and can't be removed alone"};
   }
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> ModelEdits::remove(std::span<const ModelId> models) {
+Outcome<void> ModelEdits::remove(std::span<const ModelId> models) {
   std::vector<world::Slot> slots;
   for (const ModelId model : models) {
-    if (auto refusal = refusalToRemove(model)) return refusal;
+    if (Outcome<void> removable = mayRemove(model); !removable) return removable;
     slots.push_back(access_.entities.slot(model));
   }
-  if (slots.empty()) return std::nullopt;
+  if (slots.empty()) return {};
   std::ranges::sort(slots);
   const auto repeated = std::ranges::unique(slots);
   slots.erase(repeated.begin(), repeated.end());
   const std::vector<ModelId> gone = Editor(access_).remove(slots);
   if (systems_ != nullptr) systems_->unload(gone);
   announceChanges();
-  return std::nullopt;
+  return {};
 }
 
 std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, Diagnostics& diagnostics) const {

@@ -45,11 +45,10 @@ class ModelEdits {
   static constexpr std::string_view kNoLongerThere = "the model no longer exists";
   /// @return The model that it is part of, or itself; 0 if there is none.
   ModelId topLevel(ModelId model) const;
-  /// @return Why the model can't be removed, or nothing.
-  std::optional<std::string> refusalToRemove(ModelId model) const;
+  /// @return Whether the model can be removed.
+  Outcome<void> mayRemove(ModelId model) const;
   /// Removes all of the models or, if one can't be removed, none.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> remove(std::span<const ModelId> models);
+  Outcome<void> remove(std::span<const ModelId> models);
 
   /// @return The first model of an `<sdf>` element; null on errors. Likewise below.
   std::shared_ptr<const description::Model> read(const Element& sdf, Diagnostics& diagnostics) const;

@@ -2,12 +2,12 @@
 
 namespace pongsim::sim {
 
-std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Time now) {
+Outcome<void> RunControl::apply(const msgs::WorldControl& asked, Time now) {
   if (asked.reset == msgs::Reset::kTimeOnly || asked.reset == msgs::Reset::kModelsOnly) {
-    return "only the whole world can be reset: reset {all: true}";
+    return {"only the whole world can be reset: reset {all: true}"};
   }
   if (asked.seed != 0 && asked.reset != msgs::Reset::kAll) {
-    return "a new seed needs a reset: reset {all: true}";
+    return {"a new seed needs a reset: reset {all: true}"};
   }
   const bool startsAmongSteps = asked.reset == msgs::Reset::kAll && !asked.pause && stepsLeft_ > 0;
   paused_ = asked.pause || startsAmongSteps;
@@ -17,7 +17,7 @@ std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Ti
     stepsLeft_ = asked.pause ? asked.steps : 0;
   }
   runTo_ = !asked.pause && asked.runTo && *asked.runTo > now ? asked.runTo : std::nullopt;
-  return std::nullopt;
+  return {};
 }
 
 void RunControl::stepped(Time now) {

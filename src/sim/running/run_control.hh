@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "msgs/control/control_messages.hh"
+#include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::sim {
@@ -19,8 +19,7 @@ class RunControl {
   /// reset without `pause` during several steps, the run pauses after the remaining ones, of which, as in Fortress, the
   /// start itself is one.
   /// @param now Time after the reset, if one is requested; the reset itself is up to the caller.
-  /// @return Why it was refused, or nothing.
-  std::optional<std::string> apply(const msgs::WorldControl& asked, Time now);
+  Outcome<void> apply(const msgs::WorldControl& asked, Time now);
 
   /// Reports that a step was made, and the time.
   void stepped(Time now);

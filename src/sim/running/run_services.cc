@@ -37,8 +37,8 @@ RunServices::RunServices(Simulation& simulation, RunControl& control, ResourceSe
 
 ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
   const bool isReset = asked.reset == msgs::Reset::kAll;
-  const std::optional<std::string> refusal = control_.apply(asked, isReset ? Time::zero() : simulation_.time());
-  if (refusal) return ServiceAnswer::refused(*refusal);
+  const Outcome<void> applied = control_.apply(asked, isReset ? Time::zero() : simulation_.time());
+  if (!applied) return ServiceAnswer::refused(applied.error);
   if (!isReset) return true;
   return reset(asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
 }
@@ -47,7 +47,7 @@ ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
   if (asked.forward) return ServiceAnswer::refused("'forward' is not supported: seek to a time");
   if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind and seek can't be used together");
   if (asked.seek) {
-    if (const auto refusal = simulation_.setTime(*asked.seek)) return ServiceAnswer::refused(*refusal);
+    if (const Outcome<void> set = simulation_.setTime(*asked.seek); !set) return ServiceAnswer::refused(set.error);
   }
   msgs::WorldControl run = asked.run;
   if (asked.rewind) run.reset = msgs::Reset::kAll;

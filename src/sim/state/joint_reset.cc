@@ -65,12 +65,12 @@ std::string loopError(const world::JointRecord& joint) {
 
 }  // namespace
 
-std::optional<std::string> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position) {
+Outcome<void> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position) {
   const world::JointRecord& record = access.entities.joints()[joint];
   if (!std::isfinite(position))
-    return "joint '" + record.description->name + "' can't be reset to a value that is not finite";
+    return {"joint '" + record.description->name + "' can't be reset to a value that is not finite"};
   const std::vector<world::Slot> links = hangingOn(access.entities, joint);
-  if (links.empty()) return loopError(record);
+  if (links.empty()) return {loopError(record)};
   world::JointState& state = access.state.joints[joint];
   double& now = axis == 0 ? state.position : state.position2;
   const WorldAxis found = axisNow(access, record, axis);
@@ -85,15 +85,15 @@ std::optional<std::string> resetJointPosition(Access& access, world::Slot joint,
   Editor(access).move(links, X_NewOld, AfterMove::kKeepVelocity);
   access.engine.setJointPosition(joint, position, axis);
   now = position;
-  return std::nullopt;
+  return {};
 }
 
-std::optional<std::string> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity) {
+Outcome<void> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity) {
   const world::JointRecord& record = access.entities.joints()[joint];
   if (!std::isfinite(velocity))
-    return "joint '" + record.description->name + "' can't be reset to a value that is not finite";
+    return {"joint '" + record.description->name + "' can't be reset to a value that is not finite"};
   const std::vector<world::Slot> links = hangingOn(access.entities, joint);
-  if (links.empty()) return loopError(record);
+  if (links.empty()) return {loopError(record)};
   world::JointState& state = access.state.joints[joint];
   double& now = axis == 0 ? state.velocity : state.velocity2;
   const WorldAxis found = axisNow(access, record, axis);
@@ -109,7 +109,7 @@ std::optional<std::string> resetJointVelocity(Access& access, world::Slot joint,
     access.engine.setLinkVelocity(slot, link.v_WorldLink, link.w_WorldLink);
   }
   now = velocity;
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace pongsim::sim

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 #include "sim/api/access.hh"
@@ -12,10 +11,9 @@ namespace pongsim::sim {
 
 /// Moves everything connected to the joint's child so that the axis has that position; velocities rotate along.
 /// @param joint With such an axis.
-/// @return Why it was refused, or nothing.
-std::optional<std::string> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position);
+Outcome<void> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position);
 
 /// Gives everything connected to the joint's child the velocity at which the axis moves with `velocity`.
-std::optional<std::string> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity);
+Outcome<void> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity);
 
 }  // namespace pongsim::sim

@@ -112,19 +112,19 @@ void SavedJoint::transfer(StateArchive& archive) {
 
 std::vector<SavedJoint> listJoints(const Access& access) { return jointsOf(access.entities); }
 
-std::optional<std::string> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted) {
+Outcome<void> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted) {
   const std::vector<SavedJoint> present = listJoints(access);
-  if (std::ranges::equal(present, wanted, isSame)) return std::nullopt;
+  if (std::ranges::equal(present, wanted, isSame)) return {};
   const std::string refusal = "the saved state has joints that can't be recreated here";
   world::Entities start(access.entities.description());
-  if (!followTheFile(wanted, start.nextId())) return refusal;
+  if (!followTheFile(wanted, start.nextId())) return {refusal};
   if (!canBecome(present, wanted)) {
     if (!hasModelsOfTheStart(access.entities, start) || !canBecome(jointsOf(start), wanted)) {
-      return refusal;
+      return {refusal};
     }
     Editor(access).reset();
   } else if (!haveFreeIds(wanted, access.entities)) {
-    return refusal;
+    return {refusal};
   }
   const auto isWanted = [&](const SavedJoint& joint) {
     return !joint.isMade && std::ranges::any_of(wanted, [&](const SavedJoint& each) { return isSame(each, joint); });
@@ -143,7 +143,7 @@ std::optional<std::string> restoreJoints(Access& access, const std::vector<Saved
     made->X_ParentJoint = joint.X_ParentJoint;
     Editor(access).insertJoint(std::move(made), joint.id);
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace pongsim::sim

@@ -30,7 +30,7 @@ std::vector<SavedJoint> listJoints(const Access& access);
 
 /// Makes and removes joints until exactly these exist. If joints of the file were removed since, everything is first
 /// reset to the start, which is impossible if models were added or removed. Nothing may be set aside.
-/// @return Why it is impossible; then nothing was changed.
-std::optional<std::string> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted);
+/// A refusal changes nothing.
+Outcome<void> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted);
 
 }  // namespace pongsim::sim

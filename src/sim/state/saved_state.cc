@@ -47,7 +47,7 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
 }
 
 void transfer(StateArchive& archive, Access& access) {
-  access.levels.transfer(archive, access);
+  access.levels.transfer(archive);
   world::transfer(archive, access.state);
   access.engine.transfer(archive);
   if (archive.isGiving()) access.engine.setGravity(access.state.gravity);
@@ -88,13 +88,13 @@ struct SavedContent {
 };
 
 /// Sets those aside that are in the saved state, and makes and removes joints.
-/// @return Why that can't be; then nothing is changed.
-std::optional<std::string> restoreContent(const SavedContent& saved, Access& access, SystemSet& systems) {
+/// A refusal changes nothing.
+Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSet& systems) {
   const std::vector<std::uint64_t> before = access.entities.listSetAside();
   Editor(access).setAside({});
-  if (auto error = restoreJoints(access, saved.joints)) {
+  if (Outcome<void> restored = restoreJoints(access, saved.joints); !restored) {
     Editor(access).setAside(before);
-    return error;
+    return restored;
   }
   // systems of what is set aside can't look for anything afterwards
   if (!saved.setAside.empty()) systems.restore(saved.systems, false);
@@ -104,11 +104,11 @@ std::optional<std::string> restoreContent(const SavedContent& saved, Access& acc
   });
   std::ranges::sort(ids);
   Editor(access).setAside(ids);
-  if (ids == before) return std::nullopt;
+  if (ids == before) return {};
   // who holds sensors that have come or gone must know it before those are restored
   systems.updateWhoRests();
   systems.announceChanges();
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -135,28 +135,28 @@ std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
   return bytes;
 }
 
-std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems) {
+Outcome<void> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems) {
   constexpr std::size_t kHeader = kMark.size() + 2 * sizeof(std::uint64_t);
   std::array<char, kMark.size()> mark{};
   std::uint64_t structure = 0;
   std::uint64_t checksum = 0;
-  if (bytes.size() < kHeader) return "this is not a saved state";
+  if (bytes.size() < kHeader) return {"this is not a saved state"};
   StateArchive header(bytes);
   for (char& letter : mark) header(letter);
   header(structure);
   header(checksum);
-  if (!std::ranges::equal(mark, kMark)) return "the saved state is from another version of pongsim";
-  if (checksum != checksumOf(header.rest())) return "the saved state is damaged";
+  if (!std::ranges::equal(mark, kMark)) return {"the saved state is from another version of pongsim"};
+  if (checksum != checksumOf(header.rest())) return {"the saved state is damaged"};
   if (structure != structureOf(access, systems)) {
-    return "the saved state is of another world, or of other models, joints or systems";
+    return {"the saved state is of another world, or of other models, joints or systems"};
   }
   StateArchive content(header.rest());
   SavedContent saved;
   content(saved);
-  if (const auto error = restoreContent(saved, access, systems)) return error;
+  if (Outcome<void> restored = restoreContent(saved, access, systems); !restored) return restored;
   transfer(content, access);
   systems.restore(saved.systems, true);
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace pongsim::sim

@@ -15,7 +15,7 @@ namespace pongsim::sim {
 
 std::vector<std::byte> saveState(Access& access, SystemSet& systems);
 
-/// @return Why it was refused, or nothing. A refused state changes nothing.
-std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems);
+/// A refused state changes nothing.
+Outcome<void> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems);
 
 }  // namespace pongsim::sim

@@ -48,7 +48,7 @@ class Editing : public System {
           if (model && model.value->name() == "bad") throw std::runtime_error("it is bad");
           tell(model ? "there is " + std::string(model.value->name()) : model.error);
         },
-        [this](const std::optional<std::string>& refusal) { tell(refusal.value_or("it has gone")); });
+        [this](const Outcome<void>& removed) { tell(removed ? "it has gone" : removed.error); });
   }
 
   void ask(const std::string& command, WorldEdits::Inserted inserted, WorldEdits::Removed removed) {

@@ -50,8 +50,7 @@ inline std::unique_ptr<Simulation> simulate(const std::string& text, const Simul
 }
 
 inline void place(Simulation& simulation, const char* model, const Vector3& position) {
-  EXPECT_EQ(simulation.world().model(model)->setPose({position, Quaternion::Identity()}, AfterMove::kStop),
-            std::nullopt);
+  EXPECT_TRUE(simulation.world().model(model)->setPose({position, Quaternion::Identity()}, AfterMove::kStop));
 }
 
 }  // namespace pongsim::test
