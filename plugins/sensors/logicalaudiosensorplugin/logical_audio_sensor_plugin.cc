@@ -26,6 +26,8 @@ struct PlacedSource {
   PlacedSource(const SoundSource& said, const std::optional<Model>& holder, std::string name)
       : source(said), model(holder), key(std::move(name)), playing(said) {}
 
+  /// @return Whether it is in the world, and not in an unloaded level.
+  bool isThere() const { return !model || model->exists(); }
   Vector3 position() const { return ((model ? model->pose() : Pose()) * source.X_ParentSource).position; }
   /// In the order of the file, even if a model was set aside meanwhile.
   std::pair<std::uint64_t, int> order() const { return {model ? model->id().value : 0, source.id}; }
@@ -181,7 +183,7 @@ class LogicalAudioSensorPlugin : public System {
     const Pose X_WorldParent = model_ ? model_->pose() : Pose();
     const Vector3 place = (X_WorldParent * ear.microphone.X_ParentMicrophone).position;
     for (const PlacedSource* source : sounds_->all()) {
-      if (!source->playing.is()) continue;
+      if (!source->playing.is() || !source->isThere()) continue;
       const double volume = volumeAt(source->source, (source->position() - place).norm());
       if (!isHeard(volume, ear.microphone)) continue;
       ignition::msgs::Header& header = *message_.mutable_header();

@@ -185,5 +185,33 @@ TEST(LogicalAudioSensorPlugin, OfFortressExampleIsHeard) {
   EXPECT_EQ(hear(world, "/model/green_box/sensor/mic_1/detection", 1).size(), 2U);
 }
 
+TEST(LogicalAudioSensorPlugin, IsNotHeardFromAnUnloadedLevel) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      RunningWorld::textOf(
+          "<gravity>0 0 0</gravity><model name='walker'><pose>100 0 0 0 0 0</pose><link name='l'/></model>" +
+          model("speaker", "0 0 0", plugin(source("1", "true"))) + model("near", "1 1 0", plugin(microphone("2"))) +
+          "<plugin name='gz::sim' filename='dummy'><performer name='p'><ref>walker</ref><geometry><box><size>1 1 1"
+          "</size></box></geometry></performer><level name='hall'><pose>0 0 0 0 0 0</pose><geometry><box><size>30 30 30"
+          "</size></box></geometry><ref>speaker</ref></level></plugin>"),
+      "world.sdf", {.levels = true}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  std::vector<Double> heard;
+  const Subscription subscription = simulation->transport().node().subscribe<Double>(
+      "/model/near/sensor/mic_2/detection", [&heard](const Double& message) { heard.push_back(message); });
+  for (const bool isLoaded : {false, true, false, true}) {
+    const Vector3 place(isLoaded ? 0 : 100, 0, 0);
+    EXPECT_EQ(simulation->world().model("walker")->setPose({place, Quaternion::Identity()}, AfterMove::kStop),
+              std::nullopt);
+    simulation->step(2);
+    simulation->transport().dispatch();
+    EXPECT_EQ(simulation->isSetAside("speaker"), !isLoaded);
+    heard.clear();
+    simulation->step(10);
+    simulation->transport().dispatch();
+    EXPECT_EQ(heard.size(), isLoaded ? 10U : 0U);
+  }
+}
+
 }  // namespace
 }  // namespace pongsim::logical_audio_test
