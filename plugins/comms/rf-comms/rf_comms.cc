@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pongsim/comms_system.hh"
+#include "pongsim/parameter_group.hh"
 #include "radio.hh"
 
 namespace pongsim {

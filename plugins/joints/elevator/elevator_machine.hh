@@ -37,7 +37,6 @@ class ElevatorMachine {
   /// @param floor Nearest to the cabin.
   /// @param isBlocked Whether something blocks the door of that floor. An open door stays open until it has been free
   /// for the waiting time.
-  /// been free for as long as it stays open.
   void update(Time now, int floor, bool isBlocked);
 
   void reset();
