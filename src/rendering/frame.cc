@@ -1,5 +1,6 @@
 #include "rendering/frame.hh"
 
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
@@ -33,6 +34,7 @@ Frame::~Frame() {
 }
 
 GLuint Frame::addBuffer(GLenum format, GLenum place, int samples) {
+  assert(count_ < 3);
   GLuint& buffer = buffers_[count_++];
   gl_.genRenderbuffers(1, &buffer);
   gl_.bindRenderbuffer(GL_RENDERBUFFER, buffer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <string>
@@ -83,11 +84,12 @@ class Renderer::Content {
   Content& operator=(const Content&) = delete;
 
   void drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels) {
+    assert(pixels.size() == std::size_t{3} * view.width * view.height);
     tidy(scene);
     const int shadowEdge = std::uint64_t{view.width} * view.height > kLargePicture ? 2048 : 1024;
     const Lighting lighting = lightingOf(scene, view, shadowEdge);
     if (!lighting.shadows.empty()) drawShadows(scene, view, lighting, shadowEdge);
-    tellLighting(lighting.block);
+    setLighting(lighting.block);
 
     const Frame& frame = frameFor(Frame::Kind::kColors, view, view.antiAliasing >= kSamples ? kSamples : 1);
     // before binding the framebuffer, because Mesa clears with the state set at that time
@@ -100,7 +102,7 @@ class Renderer::Content {
       const Program& program = programFor(*item);
       if (&program != inUse) {
         program.use();
-        tell(shaders::kClipFromPlace, clip);
+        setMatrix(shaders::kClipFromPlace, clip);
         inUse = &program;
       }
       drawInColors(*item, view.X_WorldEye.position);
@@ -112,6 +114,7 @@ class Renderer::Content {
   }
 
   void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
+    assert(depths.size() == std::size_t{view.width} * view.height);
     tidy(scene);
     const Frame& frame = frameFor(Frame::Kind::kDepths, view, 1);
     gl_.disable(GL_FRAMEBUFFER_SRGB);
@@ -120,7 +123,7 @@ class Renderer::Content {
     gl_.clearBufferfv(GL_COLOR, 0, kNothing.data());
     const Matrix4d clip = clipFromPlace(view);
     depths_.use();
-    tell(shaders::kClipFromPlace, clip);
+    setMatrix(shaders::kClipFromPlace, clip);
     const Eigen::Vector3f ahead = (view.X_WorldEye.rotation * Vector3::UnitX()).cast<float>();
     gl_.uniform3fv(shaders::kAhead, 1, ahead.data());
     for (const Item* item : seenItems(scene, view, clip)) drawSurface(*item, view.X_WorldEye.position);
@@ -150,18 +153,17 @@ class Renderer::Content {
   }
 
   void drawShadows(const Scene& scene, const PictureView& view, const Lighting& lighting, int edge) {
-    gl_.enable(GL_CULL_FACE);
+    // both sides cast shadows
+    gl_.disable(GL_CULL_FACE);
     shadows_.begin(edge);
     for (std::size_t i = 0; i < lighting.shadows.size(); ++i) {
       const Matrix4d& clip = lighting.shadows[i];
       shadows_.use(static_cast<int>(i));
-      tell(shaders::kClipFromPlace, clip);
+      setMatrix(shaders::kClipFromPlace, clip);
       for (const Item& item : scene.items()) {
         if (!item.castsShadows || item.isGround || item.paint.opacity < 1) continue;
         const Matrix4d place = placeFromSurface(item, view.X_WorldEye.position);
-        tell(shaders::kPlaceFromSurface, place);
-        // both sides cast shadows
-        gl_.disable(GL_CULL_FACE);
+        setMatrix(shaders::kPlaceFromSurface, place);
         store_.draw(item.surface);
       }
     }
@@ -231,7 +233,7 @@ class Renderer::Content {
   }
 
   void drawSurface(const Item& item, const Vector3& eye) {
-    tell(shaders::kPlaceFromSurface, placeFromSurface(item, eye));
+    setMatrix(shaders::kPlaceFromSurface, placeFromSurface(item, eye));
     const Matrix3 normals = item.X_WorldSurface().rotation.toRotationMatrix() * item.scale.cwiseInverse().asDiagonal();
     gl_.uniformMatrix3fv(shaders::kNormalFromSurface, 1, GL_FALSE, Eigen::Matrix3f(normals.cast<float>()).data());
     if (item.paint.isDoubleSided) {
@@ -244,11 +246,11 @@ class Renderer::Content {
     store_.draw(item.surface);
   }
 
-  void tell(int place, const Matrix4d& matrix) {
+  void setMatrix(int place, const Matrix4d& matrix) {
     gl_.uniformMatrix4fv(place, 1, GL_FALSE, Matrix4f(matrix.cast<float>()).data());
   }
 
-  void tellLighting(const LampBlock& block) {
+  void setLighting(const LampBlock& block) {
     static_assert(sizeof(LampBlock) == (6 * shaders::kMostLamps + 4 * shaders::kMostShadows + 2) * 4 * sizeof(float));
     gl_.bindBuffer(GL_UNIFORM_BUFFER, lamps_);
     gl_.bufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);

@@ -1,5 +1,6 @@
 #include "rendering/scene.hh"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -204,6 +205,7 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
 
 void Scene::update(const world::Entities& entities, const world::State& state) {
   for (Item& item : items_) {
+    assert(item.actor != nullptr || item.link < state.links.size());
     item.X_WorldLink =
         item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }

@@ -1,5 +1,7 @@
 #include "rendering/shadow_maps.hh"
 
+#include <cassert>
+
 #include "rendering/shaders.hh"
 
 namespace pongsim::rendering {
@@ -31,6 +33,7 @@ void ShadowMaps::begin(int edge) {
 }
 
 void ShadowMaps::use(int number) {
+  assert(number >= 0 && number < shaders::kMostShadows);
   gl_.bindFramebuffer(GL_FRAMEBUFFER, frame_);
   gl_.framebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, textures_, 0, number);
   gl_.drawBuffer(GL_NONE);

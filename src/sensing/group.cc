@@ -1,6 +1,7 @@
 #include "sensing/group.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -8,10 +9,10 @@ namespace pongsim::sensing {
 
 namespace {
 
-// of a distance: more than what single precision errs by on the way there
-constexpr double kWayMargin = 1e-6;
+// relative error of single precision over a distance, with reserve
+constexpr double kMargin = 1e-6;
 
-/// @return A number that single precision knows, next to this one on that side.
+/// @return The nearest number of single precision that is less, or greater.
 float below(double value) { return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity()); }
 float above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity()); }
 
@@ -21,7 +22,7 @@ float notLess(double range) {
   return range <= kMostDistance ? static_cast<float>(range * (1 + kRounding)) : std::numeric_limits<float>::infinity();
 }
 
-/// Lets a beam end at an object where that is nearer.
+/// Makes the first hit on an object that of the beam, if it is nearer.
 /// @return Whether it is.
 bool meet(const Object& object, const BeamQuery& query, Beam& beam) {
   const double from = object.owner == query.owner ? query.minRange : 0;
@@ -41,7 +42,7 @@ bool passes(const Line& line, const Vector3& inverse, const Eigen::AlignedBox3d&
   for (int axis = 0; axis < 3; ++axis) {
     const double one = (box.min()[axis] - line.origin[axis]) * inverse[axis];
     const double other = (box.max()[axis] - line.origin[axis]) * inverse[axis];
-    // a line along the very edge may be let pass or not: the box is wider than what is in it
+    // NaN for a line in a face of the box (0 times infinity) may go either way: the box is larger than the object
     enters = std::max(enters, std::min(one, other));
     leaves = std::min(leaves, std::max(one, other));
   }
@@ -54,7 +55,7 @@ Group::Group(RTCDevice device)
     : scene_(embree().newScene(device)), geometry_(embree().newGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
   embree().setSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   embree().setGeometryUserData(geometry_.get(), this);
-  embree().setGeometryBoundsFunction(geometry_.get(), tellBounds, nullptr);
+  embree().setGeometryBoundsFunction(geometry_.get(), writeBounds, nullptr);
   embree().setGeometryIntersectFunction(geometry_.get(), intersect);
   embree().attachGeometry(scene_.get(), geometry_.get());
 }
@@ -75,15 +76,15 @@ Eigen::AlignedBox3d Group::wideBox(const Object& object) const {
   const Eigen::AlignedBox3d box = object.boundsInWorld();
   const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (!(farthest <= kMostDistance)) return {};
-  const Vector3 margin = Vector3::Constant(kWayMargin * (farthest + reach_));
+  const Vector3 margin = Vector3::Constant(kMargin * (farthest + reach_));
   return {box.min() - margin, box.max() + margin};
 }
 
-void Group::tellBounds(const RTCBoundsFunctionArguments* arguments) {
+void Group::writeBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   const Eigen::AlignedBox3d box = group.wideBox(group.objects_[arguments->primID]);
   if (box.isEmpty()) {
-    // upside down: Embree leaves it out
+    // lower bounds above upper ones: Embree ignores the object
     *arguments->bounds_o = {1, 1, 1, 0, -1, -1, -1, 0};
     return;
   }
@@ -95,6 +96,7 @@ void Group::tellBounds(const RTCBoundsFunctionArguments* arguments) {
 void Group::intersect(const RTCIntersectFunctionNArguments* arguments) {
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   auto& query = *reinterpret_cast<BeamQuery*>(arguments->context);
+  assert(arguments->primID < group.objects_.size());
   const Object& object = group.objects_[arguments->primID];
   if ((object.visibility & query.visibilityMask) == 0) return;
   RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
@@ -111,6 +113,8 @@ void Group::intersect(const RTCIntersectFunctionNArguments* arguments) {
 }
 
 void Group::castAtFew(BeamQuery& query) const {
+  // `commit` was called since the objects changed
+  assert(boxes_.size() == objects_.size());
   for (std::size_t i = 0; i < query.count; ++i) {
     Beam& beam = query.beams[i];
     const Vector3 inverse = beam.line.direction.cwiseInverse();
@@ -123,6 +127,7 @@ void Group::castAtFew(BeamQuery& query) const {
 }
 
 void Group::cast(BeamQuery& query) const {
+  assert(query.count <= kBeamsAtATime);
   if (objects_.size() <= kFew) return castAtFew(query);
   RTCRayHit8 rays{};
   alignas(32) std::array<int, kBeamsAtATime> valid{};

@@ -67,7 +67,7 @@ class Group {
   /// away to be visible.
   Eigen::AlignedBox3d wideBox(const Object& object) const;
   void castAtFew(BeamQuery& query) const;
-  static void tellBounds(const RTCBoundsFunctionArguments* arguments);
+  static void writeBounds(const RTCBoundsFunctionArguments* arguments);
   static void intersect(const RTCIntersectFunctionNArguments* arguments);
 
   std::vector<Object> objects_;

@@ -24,7 +24,7 @@ struct MakeLook {
   Look operator()(const description::Capsule& capsule) const { return {Shape(capsule)}; }
   Look operator()(const description::Ellipsoid& ellipsoid) const { return {Shape(ellipsoid)}; }
 
-  // as large as its picture, as in Fortress
+  // as large as its visual, as in Fortress
   Look operator()(const description::Plane& plane) const {
     return {Shape(Sheet{plane.size.cwiseAbs() / 2}),
             {Vector3::Zero(), rotationBetween(Vector3::UnitZ(), plane.normal)}};
@@ -35,7 +35,7 @@ struct MakeLook {
     return {polyline.triangles};
   }
 
-  // of a file that is not there, here and below, the loader has warned
+  // the loader has warned about missing files, here and below
   Look operator()(const description::Mesh& mesh) const {
     if (mesh.file.empty()) return {};
     const assets::MeshStore::Result found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);

@@ -10,30 +10,33 @@ namespace pongsim::sensing {
 
 namespace {
 
-// of the size of the mesh: more than single precision errs by
-constexpr double kMargin = 1e-5;
+// error of single precision relative to the size of the mesh, with reserve
+constexpr double kMeshMargin = 1e-5;
 
-/// A question to Embree, and what has been found so far.
+/// A search for the first hit, and its result so far.
 struct MeshQuery {
-  // stands first, for the callback is given its address
+  // First member, since Embree passes its address to the callback.
   RTCIntersectContext context;
   const description::TriangleMesh& mesh;
   const Line& line;
-  /// Where its ray begins, on the line and in space.
+  /// Where Embree's ray begins: on the line, in lengths of its direction, and in the frame of the mesh.
   double begin;
   Vector3 start;
+  /// Hits before it do not count, likewise.
   double from;
   bool seesInside;
-  /// The nearest so far, in lengths of the line's direction, or how far to look.
+  /// The nearest hit so far, or the limit of the search, likewise.
   double nearest;
-  /// What single precision may err by, likewise.
+  /// Error of single precision [m].
   double margin;
+  /// Of the line's direction.
   double length;
   bool isHit;
 };
 
-/// @return Where the line meets a triangle, in lengths of its direction. A line along an edge meets one of those beside
-/// it: both reckon the same volume for it, but for its sign.
+/// @return Where the line meets a triangle, in lengths of its direction. The line passes through the triangle if the
+/// volumes that its direction spans with each two corners have the same sign. The two triangles at an edge compute the
+/// same volume with opposite signs, so a line along the edge hits at least one of them.
 std::optional<double> meet(const MeshQuery& query, std::uint32_t index) {
   const auto& [first, second, third] = query.mesh.triangles[index];
   const auto& vertices = query.mesh.vertices;
@@ -67,9 +70,9 @@ Mesh::Mesh(RTCDevice device, std::shared_ptr<const description::TriangleMesh> tr
   for (const Vector3& vertex : triangles_->vertices) bounds_.extend(vertex);
   const GeometryPointer geometry(embree().newGeometry(device, RTC_GEOMETRY_TYPE_USER));
   embree().setGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(triangles_->triangles.size()));
-  // for the commit below alone: this may move
+  // valid for the commit below only, because this object may be moved afterwards
   embree().setGeometryUserData(geometry.get(), this);
-  embree().setGeometryBoundsFunction(geometry.get(), tellBounds, nullptr);
+  embree().setGeometryBoundsFunction(geometry.get(), writeBounds, nullptr);
   embree().setGeometryIntersectFunction(geometry.get(), meetTriangle);
   embree().commitGeometry(geometry.get());
   embree().attachGeometry(scene_.get(), geometry.get());
@@ -77,29 +80,29 @@ Mesh::Mesh(RTCDevice device, std::shared_ptr<const description::TriangleMesh> tr
   embree().commitScene(scene_.get());
 }
 
-void Mesh::tellBounds(const RTCBoundsFunctionArguments* arguments) {
+void Mesh::writeBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& mesh = *static_cast<const Mesh*>(arguments->geometryUserPtr);
   const Vector3 middle = mesh.bounds_.center();
   Eigen::AlignedBox3d box;
   for (const std::uint32_t corner : mesh.triangles_->triangles[arguments->primID]) {
     box.extend(Vector3(mesh.triangles_->vertices[corner] - middle));
   }
-  const Vector3 margin = Vector3::Constant(kMargin * mesh.bounds_.diagonal().norm());
+  const Vector3 margin = Vector3::Constant(kMeshMargin * mesh.bounds_.diagonal().norm());
   const Eigen::Vector3f least = (box.min() - margin).cast<float>(), most = (box.max() + margin).cast<float>();
   *arguments->bounds_o = {least.x(), least.y(), least.z(), 0, most.x(), most.y(), most.z(), 0};
 }
 
 double Mesh::firstHit(const Line& line, double from, double to, bool seesInside) const {
-  // from where it meets the box on, for what single precision errs by grows with the way
+  // the ray begins at the box, because the error of single precision grows with its length
   const Vector3 middle = bounds_.center();
   const double size = bounds_.diagonal().norm();
-  const Vector3 half = bounds_.sizes() / 2 + Vector3::Constant(kMargin * size);
+  const Vector3 half = bounds_.sizes() / 2 + Vector3::Constant(kMeshMargin * size);
   const auto within = boxPassage(half, {line.origin - middle, line.direction});
   if (!within) return kNowhere;
   const double begin = std::max(from, within->enter), end = std::min(to, within->leave);
   if (!(begin <= end)) return kNowhere;
 
-  const double length = line.direction.norm(), margin = kMargin * size;
+  const double length = line.direction.norm(), margin = kMeshMargin * size;
   const Vector3 start = line.origin + begin * line.direction;
   const Vector3 origin = start - middle, direction = line.direction / length;
   MeshQuery query{{}, *triangles_, line, begin, start, from, seesInside, to, margin, length, false};

@@ -23,7 +23,7 @@ class Mesh {
   double firstHit(const Line& line, double from, double to, bool seesInside) const;
 
  private:
-  static void tellBounds(const RTCBoundsFunctionArguments* arguments);
+  static void writeBounds(const RTCBoundsFunctionArguments* arguments);
 
   std::shared_ptr<const description::TriangleMesh> triangles_;
   Eigen::AlignedBox3d bounds_;

@@ -1,20 +1,14 @@
 #include "sensing/scene.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 
-#include "sensing/embree.hh"
-#include "sensing/group.hh"
-#include "sensing/look.hh"
-#include "sensing/mesh.hh"
-#include "sensing/object.hh"
 #include "world/actor_motion.hh"
 
 namespace pongsim::sensing {
@@ -24,7 +18,7 @@ namespace {
 using description::TriangleMesh;
 using world::Slot;
 
-// Fortress's largest
+// Fortress's largest <laser_retro>
 constexpr double kMostRetro = 2000;
 
 Slot topLevelModel(const world::Entities& entities, Slot model) {
@@ -38,153 +32,127 @@ Echo echoOf(const Beam& beam, double minRange) {
   return {beam.range, beam.hit->retro};
 }
 
-}  // namespace
-
-class Scene::Content {
- public:
-  // One thread: more gain nothing for worlds of thousands of bodies, and the simulation's is the one that may work.
-  Content() : device_(embree().newDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
-
-  void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
-    still_.objects().clear();
-    moving_.objects().clear();
-    std::size_t count = 0;
-    for (Slot slot = 0; slot < entities.links().size(); ++slot) {
-      const world::LinkRecord& link = entities.links()[slot];
-      if (link.isSetAside) continue;
-      for (const description::Visual& visual : link.description->visuals) {
-        std::optional<Object> object = read(visual, "link '" + link.description->name + "'", diagnostics);
-        if (!object) continue;
-        object->link = slot;
-        object->owner = entities.models()[topLevelModel(entities, link.model)].id;
-        add(std::move(*object), link.isStatic ? still_ : moving_, count, state);
-      }
-    }
-    for (const world::ActorRecord& actor : world::present(entities.actors())) {
-      for (const description::Visual& visual : description::visualsOf(*actor.description)) {
-        std::optional<Object> object = read(visual, "actor '" + actor.description->name + "'", diagnostics);
-        if (!object) continue;
-        object->actor = actor.description;
-        add(std::move(*object), moving_, count, state);
-      }
-    }
-    commit();
-  }
-
-  void update(const world::State& state) {
-    for (Group* group : {&still_, &moving_}) {
-      bool hasMoved = false;
-      for (Object& object : group->objects()) {
-        const Pose X_WorldLink = poseOf(object, state);
-        if (object.X_WorldLink == X_WorldLink) continue;
-        object.place(X_WorldLink);
-        hasMoved = true;
-      }
-      if (hasMoved) group->commit(reach_);
-    }
-  }
-
-  void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
-    const double distance = beams.X_WorldSensor.position.norm();
-    if (!(distance <= kMostDistance)) {
-      std::ranges::fill(echoes, Echo{kNowhere, 0});
-      return;
-    }
-    if (distance > reach_) {
-      // to a power of two, so that it seldom happens
-      int exponent = 0;
-      const bool isPower = std::frexp(distance, &exponent) == 0.5;
-      reach_ = std::ldexp(1, isPower ? exponent - 1 : exponent);
-      commit();
-    }
-    const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();
-    BeamQuery query{};
-    rtcInitIntersectContext(&query.context);
-    query.owner = beams.owner;
-    query.minRange = beams.minRange;
-    query.visibilityMask = beams.visibilityMask;
-    // what is just as far as it reaches is seen
-    const double farthest = std::nextafter(beams.maxRange, kNowhere);
-    for (std::size_t first = 0; first < directions.size(); first += kBeamsAtATime) {
-      query.count = std::min(kBeamsAtATime, directions.size() - first);
-      for (std::size_t i = 0; i < query.count; ++i) {
-        query.beams[i] = {{beams.X_WorldSensor.position, R_WorldSensor * directions[first + i]}, farthest, nullptr};
-      }
-      still_.cast(query);
-      moving_.cast(query);
-      for (std::size_t i = 0; i < query.count; ++i) echoes[first + i] = echoOf(query.beams[i], beams.minRange);
-    }
-  }
-
- private:
-  static Pose poseOf(const Object& object, const world::State& state) {
-    if (object.actor != nullptr) return world::actorPose(*object.actor, state);
-    return state.links[object.link].X_WorldLink;
-  }
-
-  /// @param count Of those before it.
-  static void add(Object object, Group& group, std::size_t& count, const world::State& state) {
-    object.order = count++;
-    object.place(poseOf(object, state));
-    group.objects().push_back(std::move(object));
-  }
-
-  void commit() {
-    still_.commit(reach_);
-    moving_.commit(reach_);
-  }
-
-  /// @param owner "link 'l'"
-  /// @return Nothing where it is not drawn.
-  std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics) {
-    const auto warn = [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
-      std::string text = kind + " '" + file.string() + "' " + problem.text + ": visual '" + visual.name + "' of " +
-                         owner + " will not be seen by sensors";
-      if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
-    };
-    Look look = reader_.look(visual.geometry, warn);
-    Object object;
-    if (auto* shape = std::get_if<Shape>(&look.body)) {
-      object.body = *shape;
-      object.bounds = boundsOf(*shape);
-    } else if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&look.body)) {
-      const Mesh& mesh = meshes_.try_emplace(*triangles, device_.get(), *triangles).first->second;
-      object.body = &mesh;
-      object.bounds = mesh.bounds();
-    } else {
-      return std::nullopt;
-    }
-    object.X_LinkObject = visual.X_LinkVisual * look.X_GeometryBody;
-    object.scale = look.scale;
-    object.visibility = visual.visibilityFlags;
-    object.retro = std::clamp(visual.laserRetro, 0.0, kMostRetro);
-    object.seesInside = visual.material && visual.material->isDoubleSided;
-    return object;
-  }
-
-  DevicePointer device_;
-  LookReader reader_;
-  /// One for all visuals that show the same.
-  std::map<std::shared_ptr<const TriangleMesh>, Mesh> meshes_;
-  /// Warnings that were given.
-  std::set<std::string> said_;
-  /// How far from the world's origin beams begin, at most [m].
-  double reach_ = 1;
-  Group still_;
-  Group moving_;
-};
-
-Scene::Scene() : content_(std::make_unique<Content>()) {}
-Scene::~Scene() = default;
-
-void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
-  content_->build(entities, state, diagnostics);
+Pose poseOf(const Object& object, const world::State& state) {
+  if (object.actor != nullptr) return world::actorPose(*object.actor, state);
+  assert(object.link < state.links.size());
+  return state.links[object.link].X_WorldLink;
 }
 
-void Scene::update(const world::State& state) { content_->update(state); }
+/// @param count Number of objects of the scene so far.
+void add(Object object, Group& group, std::size_t& count, const world::State& state) {
+  object.order = count++;
+  object.place(poseOf(object, state));
+  group.objects().push_back(std::move(object));
+}
+
+}  // namespace
+
+// One thread: more gain nothing for worlds of thousands of bodies, and only the simulation's thread is known to be
+// free.
+Scene::Scene() : device_(embree().newDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
+
+void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
+  still_.objects().clear();
+  moving_.objects().clear();
+  std::size_t count = 0;
+  for (Slot slot = 0; slot < entities.links().size(); ++slot) {
+    const world::LinkRecord& link = entities.links()[slot];
+    if (link.isSetAside) continue;
+    for (const description::Visual& visual : link.description->visuals) {
+      std::optional<Object> object = read(visual, "link '" + link.description->name + "'", diagnostics);
+      if (!object) continue;
+      object->link = slot;
+      object->owner = entities.models()[topLevelModel(entities, link.model)].id;
+      add(std::move(*object), link.isStatic ? still_ : moving_, count, state);
+    }
+  }
+  for (const world::ActorRecord& actor : world::present(entities.actors())) {
+    for (const description::Visual& visual : description::visualsOf(*actor.description)) {
+      std::optional<Object> object = read(visual, "actor '" + actor.description->name + "'", diagnostics);
+      if (!object) continue;
+      object->actor = actor.description;
+      add(std::move(*object), moving_, count, state);
+    }
+  }
+  commit();
+}
+
+void Scene::update(const world::State& state) {
+  for (Group* group : {&still_, &moving_}) {
+    bool hasMoved = false;
+    for (Object& object : group->objects()) {
+      const Pose X_WorldLink = poseOf(object, state);
+      if (object.X_WorldLink == X_WorldLink) continue;
+      object.place(X_WorldLink);
+      hasMoved = true;
+    }
+    if (hasMoved) group->commit(reach_);
+  }
+}
 
 void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
-  content_->cast(beams, directions, echoes);
+  assert(echoes.size() == directions.size());
+  const double distance = beams.X_WorldSensor.position.norm();
+  if (!(distance <= kMostDistance)) {
+    std::ranges::fill(echoes, Echo{kNowhere, 0});
+    return;
+  }
+  if (distance > reach_) {
+    // the next power of two, so that few scans make the boxes larger
+    int exponent = 0;
+    const bool isPower = std::frexp(distance, &exponent) == 0.5;
+    reach_ = std::ldexp(1, isPower ? exponent - 1 : exponent);
+    commit();
+  }
+  const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();
+  BeamQuery query{};
+  rtcInitIntersectContext(&query.context);
+  query.owner = beams.owner;
+  query.minRange = beams.minRange;
+  query.visibilityMask = beams.visibilityMask;
+  // a hit at exactly the maximum range counts
+  const double farthest = std::nextafter(beams.maxRange, kNowhere);
+  for (std::size_t first = 0; first < directions.size(); first += kBeamsAtATime) {
+    query.count = std::min(kBeamsAtATime, directions.size() - first);
+    for (std::size_t i = 0; i < query.count; ++i) {
+      query.beams[i] = {{beams.X_WorldSensor.position, R_WorldSensor * directions[first + i]}, farthest, nullptr};
+    }
+    still_.cast(query);
+    moving_.cast(query);
+    for (std::size_t i = 0; i < query.count; ++i) echoes[first + i] = echoOf(query.beams[i], beams.minRange);
+  }
+}
+
+void Scene::commit() {
+  still_.commit(reach_);
+  moving_.commit(reach_);
+}
+
+std::optional<Object> Scene::read(const description::Visual& visual, const std::string& owner,
+                                  Diagnostics& diagnostics) {
+  const auto warn = [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
+    std::string text = kind + " '" + file.string() + "' " + problem.text + ": visual '" + visual.name + "' of " +
+                       owner + " will not be seen by sensors";
+    if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
+  };
+  Look look = reader_.look(visual.geometry, warn);
+  Object object;
+  if (auto* shape = std::get_if<Shape>(&look.body)) {
+    object.body = *shape;
+    object.bounds = boundsOf(*shape);
+  } else if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&look.body)) {
+    const Mesh& mesh = meshes_.try_emplace(*triangles, device_.get(), *triangles).first->second;
+    object.body = &mesh;
+    object.bounds = mesh.bounds();
+  } else {
+    return std::nullopt;
+  }
+  object.X_LinkObject = visual.X_LinkVisual * look.X_GeometryBody;
+  object.scale = look.scale;
+  object.visibility = visual.visibilityFlags;
+  object.retro = std::clamp(visual.laserRetro, 0.0, kMostRetro);
+  object.seesInside = visual.material && visual.material->isDoubleSided;
+  return object;
 }
 
 }  // namespace pongsim::sensing

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
+#include <string>
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/beam_scene.hh"
 #include "pongsim/types.hh"
+#include "sensing/embree.hh"
+#include "sensing/group.hh"
+#include "sensing/look.hh"
+#include "sensing/mesh.hh"
+#include "sensing/object.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
@@ -28,8 +37,8 @@ struct Beams {
 /// The visuals of a world for lidars, static ones separate from moving ones. See `BeamScene`.
 class Scene {
  public:
+  /// @throws std::runtime_error if Embree is not installed.
   Scene();
-  ~Scene();
 
   /// Replaces all visuals.
   /// @param diagnostics Warnings about files that can't be read, each once in the life of the scene.
@@ -43,8 +52,21 @@ class Scene {
   void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes);
 
  private:
-  class Content;
-  std::unique_ptr<Content> content_;
+  void commit();
+  /// @param owner "link 'l'"
+  /// @return The visual without its place; nothing if it is not visible.
+  std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics);
+
+  DevicePointer device_;
+  LookReader reader_;
+  /// One for all visuals with the same triangles.
+  std::map<std::shared_ptr<const description::TriangleMesh>, Mesh> meshes_;
+  /// Warnings that were given.
+  std::set<std::string> said_;
+  /// Largest distance of beam origins from the world's origin [m].
+  double reach_ = 1;
+  Group still_;
+  Group moving_;
 };
 
 }  // namespace pongsim::sensing

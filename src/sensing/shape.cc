@@ -7,7 +7,8 @@ namespace pongsim::sensing {
 
 namespace {
 
-/// Leaves of a passage what lies in both.
+/// Intersects a passage with another one.
+/// @return Whether anything is left.
 bool narrow(Passage& passage, const Passage& other) {
   passage.enter = std::max(passage.enter, other.enter);
   passage.leave = std::min(passage.leave, other.leave);
@@ -24,8 +25,8 @@ std::optional<Passage> slabPassage(double half, double origin, double direction)
   return Passage{std::min(a, b), std::max(a, b)};
 }
 
-/// Within a ball, or a disc, around zero. The distance from it is taken at the line's nearest point, so that no digits
-/// are lost where that is far from the line's origin.
+/// Within a ball, or a disc, around zero. Solved around the line's point nearest to the centre instead of its origin,
+/// which avoids cancellation when the origin is far away.
 template <class Vector>
 std::optional<Passage> ballPassage(double radius, const Vector& origin, const Vector& direction) {
   const double squaredLength = direction.squaredNorm();
@@ -61,7 +62,7 @@ struct FindPassage {
     return tubePassage(cylinder.radius, cylinder.length, line);
   }
 
-  // a line lies in a convex body in one piece, so that the pieces in its three parts join
+  // a capsule is convex: the line's passages through tube and caps join to one
   std::optional<Passage> operator()(const description::Capsule& capsule) const {
     std::optional<Passage> found = tubePassage(capsule.radius, capsule.length, line);
     for (const double end : {-capsule.length / 2, capsule.length / 2}) {
