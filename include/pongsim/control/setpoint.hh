@@ -14,7 +14,7 @@ namespace pongsim {
 class Setpoint {
  public:
   Setpoint() = default;
-  // the subscription holds on to it
+  // the subscription's callback has its address
   Setpoint(const Setpoint&) = delete;
   Setpoint& operator=(const Setpoint&) = delete;
 

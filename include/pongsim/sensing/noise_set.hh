@@ -35,7 +35,7 @@ class PONGSIM_API NoiseSet {
  public:
   /// @param random The sensor's stream, which is split for each noise.
   explicit NoiseSet(const Random& random) : random_(random) {}
-  // sensors hold on to what is in it
+  // sensors keep references to its noises
   NoiseSet(const NoiseSet&) = delete;
   NoiseSet& operator=(const NoiseSet&) = delete;
 
@@ -53,13 +53,13 @@ class PONGSIM_API NoiseSet {
 
  private:
   Random random_;
-  struct Part {
+  struct NamedNoise {
     NoiseSettings settings;
     std::string name;
     Noise noise;
   };
-  // they stay where they are
-  std::deque<Part> parts_;
+  // a deque keeps references to its elements valid
+  std::deque<NamedNoise> noises_;
 };
 
 }  // namespace pongsim

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "base/report/log_sinks.hh"
+#include "base/report/log_sink.hh"
 
 namespace pongsim {
 

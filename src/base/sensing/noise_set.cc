@@ -3,7 +3,7 @@
 namespace pongsim {
 
 Noise& NoiseSet::add(const NoiseSettings& settings, std::string_view name) {
-  return parts_.emplace_back(Part{settings, std::string(name), Noise(settings, random_.split(name))}).noise;
+  return noises_.emplace_back(NamedNoise{settings, std::string(name), Noise(settings, random_.split(name))}).noise;
 }
 
 Noise3 NoiseSet::add(const NoiseSettings3& settings, const std::string& name) {
@@ -11,16 +11,16 @@ Noise3 NoiseSet::add(const NoiseSettings3& settings, const std::string& name) {
 }
 
 void NoiseSet::begin(Time time, double dt) {
-  for (Part& part : parts_) part.noise.begin(time, dt);
+  for (NamedNoise& each : noises_) each.noise.begin(time, dt);
 }
 
 void NoiseSet::transfer(StateArchive& archive) {
-  for (Part& part : parts_) part.noise.transfer(archive);
+  for (NamedNoise& each : noises_) each.noise.transfer(archive);
 }
 
 void NoiseSet::reset(const Random& random) {
   random_ = random;
-  for (Part& part : parts_) part.noise = Noise(part.settings, random_.split(part.name));
+  for (NamedNoise& each : noises_) each.noise = Noise(each.settings, random_.split(each.name));
 }
 
 }  // namespace pongsim

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/report/log_sinks.hh"
+#include "base/report/log_sink.hh"
 #include "shared/program/console.hh"
 
 namespace pongsim::cli {

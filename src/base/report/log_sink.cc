@@ -1,4 +1,4 @@
-#include "base/report/log_sinks.hh"
+#include "base/report/log_sink.hh"
 
 #include <algorithm>
 #include <atomic>
