@@ -83,6 +83,33 @@ class PONGSIM_API Parameter {
   std::vector<std::string> words_;
 };
 
+/// A topic on which a system publishes readings of each sensor of a type.
+struct SensorReadings {
+  // Kinds with a meaning of their own.
+  /// Distances along beams: an ignition.msgs.LaserScan.
+  static constexpr const char* kRanges = "ranges";
+  /// Points: an ignition.msgs.PointCloudPacked.
+  static constexpr const char* kPoints = "points";
+  /// Colours or brightness: an ignition.msgs.Image.
+  static constexpr const char* kImage = "image";
+  /// Distances along the x axis [m]: an ignition.msgs.Image of 32-bit floating-point numbers.
+  static constexpr const char* kDepth = "depth";
+  /// Any other message.
+  static constexpr const char* kMessage = "message";
+
+  /// Type of the `<sensor>`.
+  std::string sensorType;
+  /// What programs call the readings: one of the above, or another word.
+  std::string kind = kMessage;
+  /// Of the sensor's default topic (`Sensor::topic`).
+  std::string suffix = {};
+  /// Appended to the sensor's topic, default or not.
+  std::string behind = {};
+  /// Full name.
+  std::string messageType = {};
+  bool operator==(const SensorReadings&) const = default;
+};
+
 /// A system's description of itself: its place, parameters, topics and services. It is used to read the parameters, for
 /// `pongsim plugin -i`, and for the documentation.
 class PONGSIM_API Declaration {
@@ -91,7 +118,7 @@ class PONGSIM_API Declaration {
 
   /// A topic or a service. In its name, W, M, L, J and S stand for the names of the world, model, link, joint and
   /// sensor, and `<topic>` for the value of that parameter.
-  struct Way {
+  struct Endpoint {
     enum class Kind { kPublished, kSubscribed, kService };
     Kind kind;
     std::string name;
@@ -119,11 +146,16 @@ class PONGSIM_API Declaration {
   void subscribes(std::string topic, std::string type, std::string text);
   void serves(std::string service, std::string requestType, std::string replyType, std::string text);
 
+  /// Adds readings that programs find by the sensor's type (`Simulation::readings`). The topic is documented by
+  /// `publishes`.
+  void measures(SensorReadings readings) { readings_.push_back(std::move(readings)); }
+
   const std::string& text() const { return text_; }
   Place place() const { return place_; }
   const std::deque<Parameter>& parameters() const { return parameters_; }
   bool topicsAreShared() const { return sharesTopics_; }
-  const std::vector<Way>& ways() const { return ways_; }
+  const std::vector<Endpoint>& endpoints() const { return endpoints_; }
+  const std::vector<SensorReadings>& readings() const { return readings_; }
 
   /// Reads all parameters and warns about unknown elements.
   /// @param system The system's name, for messages.
@@ -138,7 +170,8 @@ class PONGSIM_API Declaration {
   bool sharesTopics_ = false;
   // references to its elements are given away
   std::deque<Parameter> parameters_;
-  std::vector<Way> ways_;
+  std::vector<Endpoint> endpoints_;
+  std::vector<SensorReadings> readings_;
 };
 
 }  // namespace pongsim

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
@@ -95,6 +96,10 @@ class PONGSIM_API Simulation {
   double realTimeFactor() const;
 
   World world();
+
+  /// @return What the world's systems publish of sensors of that type, the main readings first; empty if no system
+  /// supports it. A reading's topic is that of the sensor: `Sensor::topic(readings)`.
+  std::vector<SensorReadings> readings(std::string_view sensorType) const;
 
   /// Adds a system of the program, after all existing ones. It is declared and configured immediately, and called from
   /// the next step on. It survives a reset, and its state is part of saved states, which can only be restored with the

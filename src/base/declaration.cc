@@ -191,16 +191,16 @@ Parameter& Declaration::element(std::string name, std::string text) {
 }
 
 void Declaration::publishes(std::string topic, std::string type, std::string text) {
-  ways_.push_back({Way::Kind::kPublished, std::move(topic), std::move(type), {}, std::move(text)});
+  endpoints_.push_back({Endpoint::Kind::kPublished, std::move(topic), std::move(type), {}, std::move(text)});
 }
 
 void Declaration::subscribes(std::string topic, std::string type, std::string text) {
-  ways_.push_back({Way::Kind::kSubscribed, std::move(topic), std::move(type), {}, std::move(text)});
+  endpoints_.push_back({Endpoint::Kind::kSubscribed, std::move(topic), std::move(type), {}, std::move(text)});
 }
 
 void Declaration::serves(std::string service, std::string requestType, std::string replyType, std::string text) {
-  ways_.push_back(
-      {Way::Kind::kService, std::move(service), std::move(requestType), std::move(replyType), std::move(text)});
+  endpoints_.push_back(
+      {Endpoint::Kind::kService, std::move(service), std::move(requestType), std::move(replyType), std::move(text)});
 }
 
 bool Declaration::read(const Element& plugin, std::string_view system, Diagnostics& diagnostics) const {

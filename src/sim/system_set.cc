@@ -186,6 +186,15 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   return isUsed;
 }
 
+std::vector<SensorReadings> SystemSet::readings(std::string_view sensorType) const {
+  std::vector<SensorReadings> found;
+  for (const SystemSlot& slot : slots_) {
+    std::ranges::copy_if(slot.declaration().readings(), std::back_inserter(found),
+                         [&](const SensorReadings& each) { return each.sensorType == sensorType; });
+  }
+  return found;
+}
+
 bool SystemSet::start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
                       Diagnostics& diagnostics) {
   SystemSlot& slot = slots_.emplace_back(

@@ -52,6 +52,9 @@ class SystemSet {
   /// @return Whether bodies move: the world lists the physics system, or no system.
   bool wantsPhysics() const { return wantsPhysics_; }
 
+  /// Like `Simulation::readings`.
+  std::vector<SensorReadings> readings(std::string_view sensorType) const;
+
   /// Makes and configures the systems of an inserted model and of its nested models.
   void load(world::Slot model, Diagnostics& diagnostics);
 

@@ -40,50 +40,6 @@ std::int64_t stampOf(const Message& message) {
          stamp.GetReflection()->GetInt32(stamp, &fieldOf(stamp, "nsec"));
 }
 
-/// A kind of reading of a sensor type, and its topic.
-struct Way {
-  const char* kind;
-  const char* message;
-  /// Suffix of `Sensor::topic`.
-  const char* suffix;
-  const char* behind;
-};
-
-constexpr const char* kScan = "ignition.msgs.LaserScan";
-constexpr const char* kCloud = "ignition.msgs.PointCloudPacked";
-constexpr const char* kImage = "ignition.msgs.Image";
-
-/// @return The kinds of readings of a sensor type, the main one first; empty if no system supports it.
-std::vector<Way> waysOf(std::string_view type) {
-  if (type == "gpu_lidar" || type == "lidar" || type == "gpu_ray" || type == "ray") {
-    return {{"ranges", kScan, "/scan", ""}, {"points", kCloud, "/scan", "/points"}};
-  }
-  if (type == "camera") return {{"image", kImage, "/image", ""}};
-  if (type == "depth_camera" || type == "depth") {
-    return {{"depth", kImage, "/depth_image", ""}, {"points", kCloud, "/depth_image", "/points"}};
-  }
-  if (type == "rgbd_camera" || type == "rgbd") {
-    return {{"image", kImage, "", "/image"}, {"depth", kImage, "", "/depth_image"}, {"points", kCloud, "", "/points"}};
-  }
-  struct Plain {
-    const char* type;
-    Way way;
-  };
-  static constexpr Plain kPlain[] = {
-      {"imu", {"message", "ignition.msgs.IMU", "/imu", ""}},
-      {"magnetometer", {"message", "ignition.msgs.Magnetometer", "/magnetometer", ""}},
-      {"altimeter", {"message", "ignition.msgs.Altimeter", "/altimeter", ""}},
-      {"air_pressure", {"message", "ignition.msgs.FluidPressure", "/air_pressure", ""}},
-      {"force_torque", {"message", "ignition.msgs.Wrench", "/forcetorque", ""}},
-      {"logical_camera", {"message", "ignition.msgs.LogicalCameraImage", "/logical_camera", ""}},
-      {"navsat", {"message", "ignition.msgs.NavSat", "/navsat", ""}},
-      {"contact", {"message", "ignition.msgs.Contacts", "/contact", ""}}};
-  for (const Plain& plain : kPlain) {
-    if (plain.type == type) return {plain.way};
-  }
-  return {};
-}
-
 void collect(const Model& model, std::vector<Sensor>& sensors) {
   for (const Link& link : model.links()) {
     for (const Sensor& sensor : link.sensors()) sensors.push_back(sensor);
@@ -123,12 +79,12 @@ const Stream& Stream::use() const {
 }
 
 void Stream::hear(const Message& heard, const Bulk* bulk) {
-  if (kind == "message") {
-    heard.SerializeToString(&message);
-  } else if (kind == "ranges") {
+  if (kind == SensorReadings::kRanges) {
     hearScan(heard);
-  } else {
+  } else if (kind == SensorReadings::kImage || kind == SensorReadings::kDepth || kind == SensorReadings::kPoints) {
     hearBulk(heard, bulk);
+  } else {
+    heard.SerializeToString(&message);
   }
   time = stampOf(heard);
   ++count;
@@ -158,10 +114,10 @@ void Stream::hearBulk(const Message& heard, const Bulk* bulk) {
   const std::string& data = heard.GetReflection()->GetStringReference(heard, &fieldOf(heard, "data"), &scratch);
   const std::size_t size = bulk != nullptr ? bulk->size : data.size();
   const std::size_t pixels = std::max<std::size_t>(height * width, 1);
-  if (kind == "points") {
+  if (kind == SensorReadings::kPoints) {
     shape = {height, width, size / pixels / sizeof(float)};
     format = "f4";
-  } else if (kind == "depth") {
+  } else if (kind == SensorReadings::kDepth) {
     shape = {height, width};
     format = "f4";
   } else {
@@ -182,16 +138,16 @@ Stream& PySensor::listen(const std::string& kind) {
   if (stream) return *stream;
   const Sensor& sensor = use();
   std::string known;
-  for (const Way& way : waysOf(sensor.type())) {
-    known += (known.empty() ? "" : ", ") + std::string(way.kind);
-    if (way.kind != kind) continue;
-    stream = std::make_shared<Stream>(life, cleanTopic(sensor.topic(way.suffix)) + way.behind, way.message, kind);
+  for (const SensorReadings& readings : life->use().readings(sensor.type())) {
+    known += (known.empty() ? "" : ", ") + readings.kind;
+    if (readings.kind != kind) continue;
+    stream = std::make_shared<Stream>(life, sensor.topic(readings), readings.messageType, kind);
     life->tell(stream);
     return *stream;
   }
   streams.erase(kind);
   throw py::value_error("sensor '" + sensor.scopedName() + "' of type " + std::string(sensor.type()) + " has no " +
-                        kind + (known.empty() ? "; subscribe to its topic" : "; it has " + known));
+                        kind + (known.empty() ? ": no system of the world supports its type" : "; it has " + known));
 }
 
 PySensor findSensor(const std::shared_ptr<Life>& life, const std::string& name) {
@@ -255,10 +211,11 @@ void bindSensors(py::module_& module) {
           "kinds",
           [](PySensor& self) {
             std::vector<std::string> kinds;
-            for (const Way& way : waysOf(self.use().type())) kinds.emplace_back(way.kind);
+            const Sensor& sensor = self.use();
+            for (SensorReadings& each : self.life->use().readings(sensor.type())) kinds.push_back(std::move(each.kind));
             return kinds;
           },
-          "Its kinds of readings, the main one first: \"ranges\", \"points\", \"image\", \"depth\" or \"message\".")
+          "Its kinds of readings, the main one first, as the world's systems declare them.")
       .def_property_readonly(
           "has_noise", [](PySensor& self) { return hasNoise(self.use().sdf()); },
           "Whether its readings depend on the seed: its element has a <noise> of a type other than none.")

@@ -17,7 +17,7 @@ namespace pongsim::python {
 /// One kind of reading of a sensor. Each new reading is written to the memory that NumPy arrays refer to.
 class Stream final : public Life::Pending {
  public:
-  /// @param kind "ranges", "points", "image", "depth" or "message".
+  /// @param kind As in `SensorReadings`.
   Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type, const std::string& kind);
   ~Stream() override { end(subscription_); }
   void letGo() override { end(subscription_); }

@@ -49,7 +49,10 @@ class Sensor:
 
     @property
     def kinds(self) -> list[str]:
-        """Its kinds of readings, the main one first: "ranges", "points", "image", "depth" or "message"."""
+        """Its kinds of readings, the main one first: "ranges", "points", "image", "depth", "message" or another word.
+
+        The systems of the world declare them; without a system for its type there are none.
+        """
         return self._core.kinds
 
     @property
@@ -90,9 +93,9 @@ class Sensor:
         """Depth cameras: the depth of each pixel along the viewing axis [m], infinite where nothing is visible."""
         return self._array("depth")
 
-    def message(self, type: Any = None) -> Any:
-        """Sensors without arrays, such as an IMU: the last message, as a dict or as an object of the given class."""
-        return self._read("message").message(type)
+    def message(self, type: Any = None, kind: str = "message") -> Any:
+        """Readings without arrays, such as an IMU's: the last message, as a dict or as an object of the given class."""
+        return self._read(kind).message(type)
 
     def count(self, kind: str | None = None) -> int:
         """Number of readings of that kind, or of the main one, since it was switched on."""

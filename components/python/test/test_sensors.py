@@ -125,6 +125,14 @@ def test_what_a_sensor_does_not_have():
             sim.sensor("eye::l::lasr")
 
 
+def test_a_sensor_that_no_system_of_the_world_supports():
+    with seen('<sensor name="inertia" type="imu"/>') as sim:
+        inertia = sim.sensor("inertia")
+        assert inertia.kinds == []
+        with pytest.raises(ValueError, match="has no message: no system of the world supports its type"):
+            inertia.message()
+
+
 def test_a_sensor_goes_with_its_model():
     with pongsim.Simulation(LIDAR) as sim:
         laser = sim.sensor(next(name for name in sim.sensor_names if "lidar" in name or "laser" in name))

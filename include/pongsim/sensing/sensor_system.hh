@@ -1,255 +1,201 @@
 #pragma once
 
 #include <cstdint>
-#include <iterator>
-#include <list>
 #include <memory>
-#include <stdexcept>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
 #include <vector>
 
+#include "pongsim/bulk.hh"
+#include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/export.hh"
+#include "pongsim/message.hh"
 #include "pongsim/messages/fields.hh"
 #include "pongsim/sensing/noise_set.hh"
 #include "pongsim/sensing/sensor.hh"
+#include "pongsim/sensing/sensor_topic.hh"
 #include "pongsim/state/state_archive.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
-/// A system for all sensors of a type. `OneSensor` is the class of one sensor:
-///
-///     struct Thermometer {
-///       using Message = ignition::msgs::Double;
-///       static constexpr const char* kType = "thermometer";      // type of the <sensor>
-///       static constexpr const char* kSuffix = "/temperature";   // of its default topic
-///       static constexpr const char* kText = "Publishes the readings of thermometers.";
-///       Thermometer(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message);
-///       void measure(Message& message);
-///     };
-///
-/// The constructor may fill in constant fields of the message. If it throws an `Error`, or a std::runtime_error for a
-/// missing library, the sensor is left out with a warning. `measure` is called when a message is due and has
-/// subscribers, and fills in everything but the header. Its noise is saved and reset automatically.
-///
-/// Optional members:
-/// - `void observe(const StepInfo&)`, called before `measure` in each step;
-/// - `Bulk bulk()`, the large part that the message leaves out;
-/// - `void reset()`, called when the world is reset;
-/// - `void transfer(StateArchive&)`, which saves its state;
-/// - `kHolder`, which replaces "link/L" in the documentation of its topic;
-/// - `kTypes`, an array that replaces `kType` for sensors of several types;
-/// - `Shared`, a class with one object for all sensors of the system. It is made from the world, the node and the
-///   `<plugin>` element with the first sensor, and is the last argument of the sensors' constructors. Its
-///   `void observe(const StepInfo&)` is called in each step, its `void rebuild(Diagnostics&)` first and after models
-///   were added or removed;
-/// - `bool isHeardElsewhere()` and `void publishElsewhere(const Message&)`, for a second topic: whether it has
-///   subscribers, and publishing there. `measure` may then take a second argument: whether the message itself has
-///   subscribers;
-/// - `bool isReady()`, whether it takes a due reading, for sensors that skip some;
-/// - `const char* suffix(const Sensor&)` and `const char* behindTopic(const Sensor&)`, which replace `kSuffix` if
-/// topics
-///   differ from sensor to sensor; see `SensorTopic`.
-template <class OneSensor>
-class SensorSystem : public System {
+/// What a sensor is made from. The references are valid as long as the sensor, `readings` and `diagnostics` during its
+/// constructor only.
+struct PONGSIM_API SensorContext {
+  /// Its handle.
+  Sensor sensor;
+  const World& world;
+  Node& node;
+  /// Its topic and schedule.
+  SensorTopic& topic;
+  /// The place for its noise, which is begun, reset and saved with it.
+  NoiseSet& noises;
+  /// What its system publishes of sensors of its type; the first on `topic`.
+  std::span<const SensorReadings> readings;
+  /// For warnings about its element.
+  Diagnostics& diagnostics;
+
+  /// Advertises the topic of readings other than the first.
+  /// @param kind One of `readings`.
+  Publisher advertise(std::string_view kind) const;
+};
+
+/// One sensor of a `SensorSystem`. Sensors derive from `SensorOf`.
+class PONGSIM_API SensorDevice {
  public:
+  SensorDevice() = default;
+  virtual ~SensorDevice();
+  SensorDevice(const SensorDevice&) = delete;
+  SensorDevice& operator=(const SensorDevice&) = delete;
+
+  /// Called first in each step that is not paused, for values that depend on all steps, such as accelerations.
+  virtual void observe(const StepInfo&) {}
+  /// Called when a reading is due.
+  /// @return Whether to take it; false for a sensor that waits for a trigger or has no power.
+  virtual bool isReady() { return true; }
+  /// Fills in all of the message but its header. Called when a reading is due and `topic` or `isHeardElsewhere` says
+  /// that it has subscribers.
+  virtual void measure() = 0;
+  /// @return The part of the message that is kept outside of it, such as pixels; nothing if it is complete.
+  virtual std::optional<Bulk> bulk() { return std::nullopt; }
+  /// @return Whether `publishElsewhere` has subscribers.
+  virtual bool isHeardElsewhere() const { return false; }
+  /// Publishes readings on further topics. Called after each `measure`, when its message has been published.
+  virtual void publishElsewhere() {}
+  /// The world was reset. Topic and noise have been reset.
+  virtual void reset() {}
+  /// Saves or restores its state, like `System::transfer`; its schedule and noise are saved by the system.
+  virtual void transfer(StateArchive&) {}
+
+ private:
+  friend class SensorSystem;
+  virtual const pongsim::Message& toPublish() const = 0;
+  virtual void stamp(Time time, std::uint64_t sequence) = 0;
+};
+
+/// A sensor that publishes messages of a type, which has a field `header` of the type ignition.msgs.Header:
+///
+///     class Thermometer final : public SensorOf<ignition::msgs::Double> {
+///      public:
+///       static constexpr SensorKind kKind{.text = "Publishes the readings of thermometers.",
+///                                         .type = "thermometer",
+///                                         .suffix = "/temperature"};
+///       explicit Thermometer(const SensorContext& context) : SensorOf(context), sensor_(context.sensor) {}
+///       void measure() override { message().set_data(temperatureAt(sensor_.pose().position)); }
+///
+///      private:
+///       Sensor sensor_;
+///     };
+///     PONGSIM_EXPORT_SYSTEM(SensorSystemFor<Thermometer>, "Thermometer");
+template <class MessageType>
+class SensorOf : public SensorDevice {
+ public:
+  using Message = MessageType;
+
+ protected:
+  explicit SensorOf(const SensorContext& context) {
+    setHeaderValue("frame_id", context.topic.frameName(), *message_.mutable_header());
+  }
+  /// The message, which keeps its fields from one reading to the next. A constructor may fill in those that are
+  /// constant.
+  Message& message() { return message_; }
+  const Message& message() const { return message_; }
+
+ private:
+  const pongsim::Message& toPublish() const final { return message_; }
+  void stamp(Time time, std::uint64_t sequence) final {
+    setStamp(time, *message_.mutable_header());
+    setHeaderValue("seq", std::to_string(sequence), *message_.mutable_header());
+  }
+
+  Message message_;
+};
+
+/// A system for all sensors of some types: it makes them, also those of models that are inserted later, calls them in
+/// each step in the order of their types, then of the file, and saves and resets them.
+class PONGSIM_API SensorSystem : public System {
+ public:
+  ~SensorSystem() override;
+
+  /// Declares the readings and what `SensorTopic` offers. A derived class adds the rest.
+  void declare(Declaration& declaration) override;
+  void configure(const SystemContext& context) override;
+  void worldChanged() override;
+  void postUpdate(const StepInfo& info) override;
+  void reset() override;
+  void transfer(StateArchive& archive) override;
+
+ protected:
+  /// @param readings What it publishes of sensors of each type; the first of a type is its message.
+  explicit SensorSystem(std::vector<SensorReadings> readings);
+
+  /// Makes a sensor.
+  /// @throws Error, or std::runtime_error for a missing library; the sensor is then left out with a warning.
+  virtual std::unique_ptr<SensorDevice> make(const SensorContext& context) = 0;
+  /// Models were added or removed; called before sensors of new models are made.
+  virtual void rebuild(Diagnostics&) {}
+
+ private:
+  struct Member;
+  void addNew(Diagnostics& diagnostics);
+  void add(const Sensor& sensor, std::size_t type, Diagnostics& diagnostics);
+
+  std::vector<SensorReadings> readings_;
+  /// Those of `readings_`, each once, in their order.
+  std::vector<std::string> types_;
+  World* world_ = nullptr;
+  Node* node_ = nullptr;
+  Random* random_ = nullptr;
+  const Logger* log_ = nullptr;
+  /// By type, then by id: the order in which they were given their random streams, also after a reset.
+  std::vector<std::unique_ptr<Member>> members_;
+  /// Ids of their sensors.
+  std::unordered_set<std::uint64_t> known_;
+};
+
+/// What a `SensorSystemFor` tells of its sensors.
+struct SensorKind {
+  /// What the system does, in a sentence.
+  const char* text;
+  /// Type of the `<sensor>`.
+  const char* type;
+  /// Of its default topic, with a slash (`Sensor::topic`).
+  const char* suffix;
+  /// The sensor's parent in the documentation of the topic.
+  const char* holder = "link/L";
+};
+
+/// The system of a sensor class, `OneSensor`, that is derived from `SensorOf`, has a `SensorKind` called `kKind`, and
+/// is constructed from a `SensorContext`.
+template <class OneSensor>
+class SensorSystemFor : public SensorSystem {
+ public:
+  SensorSystemFor()
+      : SensorSystem({{.sensorType = OneSensor::kKind.type,
+                       .kind = SensorReadings::kMessage,
+                       .suffix = OneSensor::kKind.suffix,
+                       .behind = {},
+                       .messageType = messageType()}}) {}
+
   void declare(Declaration& declaration) override {
-    declaration.is(OneSensor::kText, Declaration::Place::kWorld);
-    const std::string type = OneSensor::Message::descriptor()->full_name();
-    std::string holder = "link/L";
-    if constexpr (requires { OneSensor::kHolder; }) holder = OneSensor::kHolder;
-    declaration.publishes("/world/W/model/M/" + holder + "/sensor/S" + OneSensor::kSuffix, type,
+    constexpr const SensorKind& kind = OneSensor::kKind;
+    declaration.is(kind.text, Declaration::Place::kWorld);
+    declaration.publishes(std::string("/world/W/model/M/") + kind.holder + "/sensor/S" + kind.suffix, messageType(),
                           "one per sensor; `<topic>` in the `<sensor>` renames it, `<update_rate>` sets its rate");
-    SensorTopic::declare(declaration);
-  }
-
-  void configure(const SystemContext& context) override {
-    world_ = &context.world;
-    node_ = &context.node;
-    plugin_ = &context.sdf;
-    random_ = &context.random;
-    log_ = &context.log;
-    addSensors(context.diagnostics);
-  }
-
-  void worldChanged() override {
-    // those that are set aside come back as they are
-    std::erase_if(sensors_, [this](const Entry& entry) {
-      const bool hasGone = !entry.handle.exists() && !entry.handle.isSetAside();
-      if (hasGone) known_.erase(entry.handle.id().value);
-      return hasGone;
-    });
-    for (Entry& entry : sensors_) entry.isThere = entry.handle.exists();
-    Diagnostics diagnostics;
-    if constexpr (kIsSharing) {
-      if (shared_) shared_->rebuild(diagnostics);
-    }
-    addSensors(diagnostics);
-    for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));
-  }
-
-  void postUpdate(const StepInfo& info) override {
-    if (info.paused) return;
-    if constexpr (kIsSharing) {
-      if (shared_) shared_->observe(info);
-    }
-    for (Entry& entry : sensors_) {
-      if (entry.isThere) entry.update(info);
-    }
-  }
-
-  void reset() override {
-    // in the order of the start, in which they took their random streams
-    sensors_.sort([](const Entry& a, const Entry& b) { return a.handle.id() < b.handle.id(); });
-    for (Entry& entry : sensors_) entry.reset(random_->split(entry.handle.scopedName()));
-  }
-
-  void transfer(StateArchive& archive) override {
-    for (Entry& entry : sensors_) entry.transfer(archive);
+    SensorSystem::declare(declaration);
   }
 
  protected:
-  /// The sensor types of the system.
-  static std::vector<std::string_view> types() {
-    if constexpr (requires { OneSensor::kTypes; }) {
-      return {std::begin(OneSensor::kTypes), std::end(OneSensor::kTypes)};
-    } else {
-      return {OneSensor::kType};
-    }
+  std::unique_ptr<SensorDevice> make(const SensorContext& context) override {
+    return std::make_unique<OneSensor>(context);
   }
 
  private:
-  static constexpr bool kIsSharing = requires { typename OneSensor::Shared; };
-  template <class One>
-  struct SharedBy {
-    struct Type {};
-  };
-  template <class One>
-  requires requires { typename One::Shared; }
-  struct SharedBy<One> {
-    using Type = typename One::Shared;
-  };
-  /// Nothing, for sensors that share nothing.
-  using Shared = typename SharedBy<OneSensor>::Type;
-
-  static const char* suffixOf(const Sensor& sensor) {
-    if constexpr (requires { OneSensor::suffix(sensor); }) {
-      return OneSensor::suffix(sensor);
-    } else {
-      return OneSensor::kSuffix;
-    }
-  }
-  static const char* behindTopicOf(const Sensor& sensor) {
-    if constexpr (requires { OneSensor::behindTopic(sensor); }) {
-      return OneSensor::behindTopic(sensor);
-    } else {
-      return "";
-    }
-  }
-
-  struct Entry {
-    template <class... More>
-    Entry(const Sensor& of, const World& world, Node& node, Random& random, More&... more)
-        : handle(of),
-          topic(of, suffixOf(of), OneSensor::Message::descriptor()->full_name(), node, behindTopicOf(of)),
-          noises(random.split(of.scopedName())),
-          sensor(of, world, noises, message, more...) {
-      setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
-    }
-
-    void update(const StepInfo& info) {
-      if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
-      if (!topic.isDue(info)) return;
-      noises.begin(info.time, topic.sinceLast());
-      if constexpr (requires { sensor.isReady(); }) {
-        if (!sensor.isReady()) return;
-      }
-      if (!isHeard()) return;
-      setStamp(info.time, *message.mutable_header());
-      setHeaderValue("seq", std::to_string(topic.sequence()), *message.mutable_header());
-      if constexpr (requires { sensor.measure(message, true); }) {
-        sensor.measure(message, topic.hasSubscribers());
-      } else {
-        sensor.measure(message);
-      }
-      if constexpr (requires { sensor.bulk(); }) {
-        topic.publish(message, sensor.bulk());
-      } else {
-        topic.publish(message);
-      }
-      if constexpr (requires { sensor.publishElsewhere(message); }) sensor.publishElsewhere(message);
-    }
-
-    bool isHeard() {
-      if constexpr (requires { sensor.isHeardElsewhere(); }) {
-        if (sensor.isHeardElsewhere()) return true;
-      }
-      return topic.hasSubscribers();
-    }
-
-    void reset(const Random& random) {
-      topic.reset();
-      noises.reset(random);
-      if constexpr (requires { sensor.reset(); }) sensor.reset();
-    }
-
-    void transfer(StateArchive& archive) {
-      topic.transfer(archive);
-      noises.transfer(archive);
-      if constexpr (requires { sensor.transfer(archive); }) sensor.transfer(archive);
-    }
-
-    Sensor handle;
-    bool isThere = true;
-    SensorTopic topic;
-    NoiseSet noises;
-    typename OneSensor::Message message;
-    OneSensor sensor;
-  };
-
-  /// Adds new sensors.
-  void addSensors(Diagnostics& diagnostics) {
-    for (const std::string_view type : types()) {
-      for (const Sensor& sensor : world_->sensors(type)) {
-        if (known_.contains(sensor.id().value)) continue;
-        try {
-          add(sensor, diagnostics);
-          known_.insert(sensor.id().value);
-        } catch (const Error& error) {
-          const Diagnostic& found = error.diagnostic();
-          diagnostics.warning(found.position, found.message + ": it is left out", found.hint);
-        } catch (const std::runtime_error& error) {
-          diagnostics.warning(sensor.sdf().position,
-                              "sensor '" + sensor.scopedName() + "' is left out: " + error.what());
-        }
-      }
-    }
-  }
-
-  void add(const Sensor& sensor, Diagnostics& diagnostics) {
-    if constexpr (kIsSharing) {
-      if (!shared_) {
-        shared_ = std::make_unique<Shared>(*world_, *node_, *plugin_);
-        shared_->rebuild(diagnostics);
-      }
-      sensors_.emplace_back(sensor, *world_, *node_, *random_, *shared_);
-    } else {
-      sensors_.emplace_back(sensor, *world_, *node_, *random_);
-    }
-  }
-
-  World* world_ = nullptr;
-  Node* node_ = nullptr;
-  const Element* plugin_ = nullptr;
-  Random* random_ = nullptr;
-  const Logger* log_ = nullptr;
-  // topics stay where they are
-  std::list<Entry> sensors_;
-  /// Their ids.
-  std::unordered_set<std::uint64_t> known_;
-  std::unique_ptr<Shared> shared_;
+  static std::string messageType() { return OneSensor::Message::descriptor()->full_name(); }
 };
 
 }  // namespace pongsim

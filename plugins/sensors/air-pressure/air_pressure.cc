@@ -27,28 +27,29 @@ double pressureAt(double height) {
   return kPressure * math::exp(exponent * math::log(kTemperature / temperature));
 }
 
-struct AirPressureSensor {
-  using Message = ignition::msgs::FluidPressure;
-  static constexpr const char* kType = "air_pressure";
-  static constexpr const char* kSuffix = "/air_pressure";
-  static constexpr const char* kText = "Publishes the readings of air pressure sensors.";
+class AirPressureSensor final : public SensorOf<ignition::msgs::FluidPressure> {
+ public:
+  static constexpr SensorKind kKind{
+      .text = "Publishes the readings of air pressure sensors.", .type = "air_pressure", .suffix = "/air_pressure"};
 
-  AirPressureSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
-      : sensor_(sensor), noise_(noises.add(sensor.settings<AirPressureSettings>()->pressure, "pressure")) {
-    const NoiseSettings& settings = sensor.settings<AirPressureSettings>()->pressure;
+  explicit AirPressureSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        noise_(context.noises.add(sensor_.settings<AirPressureSettings>()->pressure, "pressure")) {
+    const NoiseSettings& settings = sensor_.settings<AirPressureSettings>()->pressure;
     // the root of a standard deviation is no variance, but Fortress sends that
     const bool isNoisy = settings.type != NoiseSettings::Type::kNone;
-    message.set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
+    message().set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
   }
 
-  void measure(Message& message) { message.set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()))); }
+  void measure() override { message().set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()))); }
 
  private:
   Sensor sensor_;
   Noise& noise_;
 };
 
-using AirPressure = SensorSystem<AirPressureSensor>;
+using AirPressure = SensorSystemFor<AirPressureSensor>;
 
 }  // namespace
 

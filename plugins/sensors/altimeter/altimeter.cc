@@ -6,24 +6,25 @@ namespace pongsim {
 
 namespace {
 
-struct AltimeterSensor {
-  using Message = ignition::msgs::Altimeter;
-  static constexpr const char* kType = "altimeter";
-  static constexpr const char* kSuffix = "/altimeter";
-  static constexpr const char* kText =
-      "Publishes the readings of altimeters: height above their start and vertical velocity.";
+class AltimeterSensor final : public SensorOf<ignition::msgs::Altimeter> {
+ public:
+  static constexpr SensorKind kKind{
+      .text = "Publishes the readings of altimeters: height above their start and vertical velocity.",
+      .type = "altimeter",
+      .suffix = "/altimeter"};
 
-  AltimeterSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
-      : sensor_(sensor),
-        positionNoise_(noises.add(sensor.settings<AltimeterSettings>()->verticalPosition, "position")),
-        velocityNoise_(noises.add(sensor.settings<AltimeterSettings>()->verticalVelocity, "velocity")),
-        reference_(sensor.pose().position.z()) {
-    message.set_vertical_reference(reference_);
+  explicit AltimeterSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        positionNoise_(context.noises.add(sensor_.settings<AltimeterSettings>()->verticalPosition, "position")),
+        velocityNoise_(context.noises.add(sensor_.settings<AltimeterSettings>()->verticalVelocity, "velocity")),
+        reference_(sensor_.pose().position.z()) {
+    message().set_vertical_reference(reference_);
   }
 
-  void measure(Message& message) {
-    message.set_vertical_position(positionNoise_.apply(sensor_.pose().position.z() - reference_));
-    message.set_vertical_velocity(velocityNoise_.apply(sensor_.linearVelocity().z()));
+  void measure() override {
+    message().set_vertical_position(positionNoise_.apply(sensor_.pose().position.z() - reference_));
+    message().set_vertical_velocity(velocityNoise_.apply(sensor_.linearVelocity().z()));
   }
 
  private:
@@ -34,7 +35,7 @@ struct AltimeterSensor {
   double reference_;
 };
 
-using Altimeter = SensorSystem<AltimeterSensor>;
+using Altimeter = SensorSystemFor<AltimeterSensor>;
 
 }  // namespace
 

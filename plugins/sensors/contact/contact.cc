@@ -16,6 +16,7 @@ namespace pongsim {
 
 namespace {
 
+constexpr const char* kType = "contact";
 constexpr const char* kSuffix = "/contact";
 
 /// The contact points of a pair of collisions, seen from one of the two.
@@ -118,6 +119,7 @@ class ContactSystem : public System {
     declaration.is("Publishes the contacts of contact sensors.", Declaration::Place::kWorld);
     declaration.publishes("/world/W/model/M/link/L/sensor/S/contact", "ignition.msgs.Contacts",
                           "in each step with contacts; renamed by `<contact><topic>` in the `<sensor>`");
+    declaration.measures({.sensorType = kType, .suffix = kSuffix, .messageType = "ignition.msgs.Contacts"});
   }
 
   void configure(const SystemContext& context) override {
@@ -149,7 +151,7 @@ class ContactSystem : public System {
 
  private:
   void addSensors(Diagnostics& diagnostics) {
-    for (const Sensor& sensor : world_->sensors("contact")) {
+    for (const Sensor& sensor : world_->sensors(kType)) {
       if (known_.contains(sensor.id().value)) continue;
       try {
         sensors_.emplace_back(sensor, *node_, diagnostics);

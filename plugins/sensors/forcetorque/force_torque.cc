@@ -17,26 +17,27 @@ Joint jointOf(const Sensor& sensor) {
   return *sensor.joint();
 }
 
-struct ForceTorqueSensor {
-  using Message = ignition::msgs::Wrench;
-  static constexpr const char* kType = "force_torque";
-  static constexpr const char* kSuffix = "/forcetorque";
-  static constexpr const char* kHolder = "joint/J";
-  static constexpr const char* kText = "Publishes the readings of force-torque sensors in joints.";
+class ForceTorqueSensor final : public SensorOf<ignition::msgs::Wrench> {
+ public:
+  static constexpr SensorKind kKind{.text = "Publishes the readings of force-torque sensors in joints.",
+                                    .type = "force_torque",
+                                    .suffix = "/forcetorque",
+                                    .holder = "joint/J"};
 
-  ForceTorqueSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message&)
-      : sensor_(sensor),
-        joint_(jointOf(sensor)),
-        settings_(*sensor.settings<ForceTorqueSettings>()),
-        forceNoise_(noises.add(settings_.force, "force")),
-        torqueNoise_(noises.add(settings_.torque, "torque")) {
+  explicit ForceTorqueSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        joint_(jointOf(sensor_)),
+        settings_(*sensor_.settings<ForceTorqueSettings>()),
+        forceNoise_(context.noises.add(settings_.force, "force")),
+        torqueNoise_(context.noises.add(settings_.torque, "torque")) {
     reset();
   }
 
-  /// Starts measuring.
-  void reset() { joint_.reaction(); }
+  /// The engine records a joint's reaction from the first time it is asked for.
+  void reset() final { joint_.reaction(); }
 
-  void measure(Message& message) {
+  void measure() override {
     const Wrench reaction = joint_.reaction();
     const double sign = settings_.isParentToChild ? 1 : -1;
     // torque about the sensor instead of the joint
@@ -44,8 +45,8 @@ struct ForceTorqueSensor {
     const Quaternion q_AxesWorld = axes().conjugate();
     const Vector3 force = q_AxesWorld * (sign * reaction.force);
     const Vector3 torque = q_AxesWorld * (sign * (reaction.torque - arm.cross(reaction.force)));
-    setVector(forceNoise_.apply(force), *message.mutable_force());
-    setVector(torqueNoise_.apply(torque), *message.mutable_torque());
+    setVector(forceNoise_.apply(force), *message().mutable_force());
+    setVector(torqueNoise_.apply(torque), *message().mutable_torque());
   }
 
  private:
@@ -65,7 +66,7 @@ struct ForceTorqueSensor {
   Noise3 torqueNoise_;
 };
 
-using ForceTorque = SensorSystem<ForceTorqueSensor>;
+using ForceTorque = SensorSystemFor<ForceTorqueSensor>;
 
 }  // namespace
 

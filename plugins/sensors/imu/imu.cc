@@ -22,43 +22,44 @@ Quaternion referenceOf(const Sensor& sensor, const ImuSettings& settings, const 
   return sensor.pose().rotation;
 }
 
-struct ImuSensor {
-  using Message = ignition::msgs::IMU;
-  static constexpr const char* kType = "imu";
-  static constexpr const char* kSuffix = "/imu";
-  static constexpr const char* kText = "Publishes the readings of inertial measurement units (IMUs).";
+class ImuSensor final : public SensorOf<ignition::msgs::IMU> {
+ public:
+  static constexpr SensorKind kKind{
+      .text = "Publishes the readings of inertial measurement units (IMUs).", .type = "imu", .suffix = "/imu"};
 
-  ImuSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
-      : sensor_(sensor),
-        world_(world),
-        settings_(*sensor.settings<ImuSettings>()),
-        accelerationNoise_(noises.add(settings_.linearAcceleration, "acceleration")),
-        turnNoise_(noises.add(settings_.angularVelocity, "turn")),
-        q_WorldReference_(referenceOf(sensor, settings_, world)),
-        lastVelocity_(sensor.linearVelocity()) {
-    message.set_entity_name(sensor.scopedName());
+  explicit ImuSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        world_(context.world),
+        settings_(*sensor_.settings<ImuSettings>()),
+        accelerationNoise_(context.noises.add(settings_.linearAcceleration, "acceleration")),
+        turnNoise_(context.noises.add(settings_.angularVelocity, "turn")),
+        q_WorldReference_(referenceOf(sensor_, settings_, world_)),
+        lastVelocity_(sensor_.linearVelocity()) {
+    message().set_entity_name(sensor_.scopedName());
   }
 
-  /// In each step, because an acceleration is a difference of velocities.
-  void observe(const StepInfo& info) {
+  // in each step, because an acceleration is a difference of velocities
+  void observe(const StepInfo& info) override {
     const Vector3 velocity = sensor_.linearVelocity();
     acceleration_ = (velocity - lastVelocity_) / toSeconds(info.dt) - world_.gravity();
     lastVelocity_ = velocity;
   }
 
-  void measure(Message& message) {
+  void measure() override {
     const Quaternion q_WorldSensor = sensor_.pose().rotation;
     const Quaternion q_SensorWorld = q_WorldSensor.conjugate();
     if (settings_.enableOrientation) {
-      setRotation(q_WorldReference_.conjugate() * q_WorldSensor, *message.mutable_orientation());
+      setRotation(q_WorldReference_.conjugate() * q_WorldSensor, *message().mutable_orientation());
     }
-    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration_), *message.mutable_linear_acceleration());
-    setVector(turnNoise_.apply(q_SensorWorld * sensor_.link().angularVelocity()), *message.mutable_angular_velocity());
+    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration_), *message().mutable_linear_acceleration());
+    setVector(turnNoise_.apply(q_SensorWorld * sensor_.link().angularVelocity()),
+              *message().mutable_angular_velocity());
   }
 
-  void reset() { lastVelocity_ = sensor_.linearVelocity(); }
+  void reset() override { lastVelocity_ = sensor_.linearVelocity(); }
 
-  void transfer(StateArchive& archive) {
+  void transfer(StateArchive& archive) override {
     archive(lastVelocity_);
     archive(acceleration_);
   }
@@ -75,7 +76,7 @@ struct ImuSensor {
   Vector3 acceleration_ = Vector3::Zero();
 };
 
-using Imu = SensorSystem<ImuSensor>;
+using Imu = SensorSystemFor<ImuSensor>;
 
 }  // namespace
 

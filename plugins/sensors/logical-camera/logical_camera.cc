@@ -23,25 +23,28 @@ void listModels(const World& world, std::vector<Model>& all) {
   std::ranges::stable_sort(all, {}, [](const Model& model) { return model.name(); });
 }
 
-struct LogicalCameraSensor {
-  using Message = ignition::msgs::LogicalCameraImage;
-  static constexpr const char* kType = "logical_camera";
-  static constexpr const char* kSuffix = "/logical_camera";
-  static constexpr const char* kText = "Publishes the models in view of logical cameras, with their poses.";
+class LogicalCameraSensor final : public SensorOf<ignition::msgs::LogicalCameraImage> {
+ public:
+  static constexpr SensorKind kKind{.text = "Publishes the models in view of logical cameras, with their poses.",
+                                    .type = "logical_camera",
+                                    .suffix = "/logical_camera"};
 
-  LogicalCameraSensor(const Sensor& sensor, const World& world, const NoiseSet&, Message&)
-      : sensor_(sensor), world_(world), settings_(*sensor.settings<LogicalCameraSettings>()) {}
+  explicit LogicalCameraSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        world_(context.world),
+        settings_(*sensor_.settings<LogicalCameraSettings>()) {}
 
-  void measure(Message& message) {
+  void measure() override {
     const Pose X_WorldSensor = sensor_.pose();
     const Pose X_SensorWorld = X_WorldSensor.inverse();
-    setPose(X_WorldSensor, *message.mutable_pose());
-    message.clear_model();
+    setPose(X_WorldSensor, *message().mutable_pose());
+    message().clear_model();
     listModels(world_, models_);
     for (const Model& model : models_) {
       const Pose X_SensorModel = X_SensorWorld * model.pose();
       if (!sees(X_SensorModel.position)) continue;
-      ignition::msgs::LogicalCameraImage::Model& seen = *message.add_model();
+      ignition::msgs::LogicalCameraImage::Model& seen = *message().add_model();
       seen.set_name(std::string(model.name()));
       setPose(X_SensorModel, *seen.mutable_pose());
     }
@@ -61,7 +64,7 @@ struct LogicalCameraSensor {
   std::vector<Model> models_;
 };
 
-using LogicalCamera = SensorSystem<LogicalCameraSensor>;
+using LogicalCamera = SensorSystemFor<LogicalCameraSensor>;
 
 }  // namespace
 

@@ -6,19 +6,19 @@ namespace pongsim {
 
 namespace {
 
-struct MagnetometerSensor {
-  using Message = ignition::msgs::Magnetometer;
-  static constexpr const char* kType = "magnetometer";
-  static constexpr const char* kSuffix = "/magnetometer";
-  static constexpr const char* kText = "Publishes the readings of magnetometers.";
+class MagnetometerSensor final : public SensorOf<ignition::msgs::Magnetometer> {
+ public:
+  static constexpr SensorKind kKind{
+      .text = "Publishes the readings of magnetometers.", .type = "magnetometer", .suffix = "/magnetometer"};
 
-  MagnetometerSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message&)
-      : sensor_(sensor),
-        noise_(noises.add(sensor.settings<MagnetometerSettings>()->field, "field")),
-        field_(world.magneticField()) {}
+  explicit MagnetometerSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        noise_(context.noises.add(sensor_.settings<MagnetometerSettings>()->field, "field")),
+        field_(context.world.magneticField()) {}
 
-  void measure(Message& message) {
-    setVector(noise_.apply(sensor_.pose().rotation.conjugate() * field_), *message.mutable_field_tesla());
+  void measure() override {
+    setVector(noise_.apply(sensor_.pose().rotation.conjugate() * field_), *message().mutable_field_tesla());
   }
 
  private:
@@ -28,7 +28,7 @@ struct MagnetometerSensor {
   Vector3 field_;
 };
 
-using Magnetometer = SensorSystem<MagnetometerSensor>;
+using Magnetometer = SensorSystemFor<MagnetometerSensor>;
 
 }  // namespace
 

@@ -26,35 +26,35 @@ World worldOf(const Sensor& sensor, const World& world) {
 /// @return The angle [degrees], above -180 and up to 180.
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
 
-struct NavSatSensor {
-  using Message = ignition::msgs::NavSat;
-  static constexpr const char* kType = "navsat";
-  static constexpr const char* kSuffix = "/navsat";
-  static constexpr const char* kText = "Publishes the readings of satellite navigation (GNSS) sensors.";
+class NavSatSensor final : public SensorOf<ignition::msgs::NavSat> {
+ public:
+  static constexpr SensorKind kKind{
+      .text = "Publishes the readings of satellite navigation (GNSS) sensors.", .type = "navsat", .suffix = "/navsat"};
 
-  NavSatSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
-      : sensor_(sensor),
-        world_(worldOf(sensor, world)),
-        latitudeNoise_(noises.add(settings().horizontalPosition, "latitude")),
-        longitudeNoise_(noises.add(settings().horizontalPosition, "longitude")),
-        altitudeNoise_(noises.add(settings().verticalPosition, "altitude")),
-        eastNoise_(noises.add(settings().horizontalVelocity, "east")),
-        northNoise_(noises.add(settings().horizontalVelocity, "north")),
-        upNoise_(noises.add(settings().verticalVelocity, "up")) {
-    message.set_frame_id(sensor.frameName());
+  explicit NavSatSensor(const SensorContext& context)
+      : SensorOf(context),
+        sensor_(context.sensor),
+        world_(worldOf(sensor_, context.world)),
+        latitudeNoise_(context.noises.add(settings().horizontalPosition, "latitude")),
+        longitudeNoise_(context.noises.add(settings().horizontalPosition, "longitude")),
+        altitudeNoise_(context.noises.add(settings().verticalPosition, "altitude")),
+        eastNoise_(context.noises.add(settings().horizontalVelocity, "east")),
+        northNoise_(context.noises.add(settings().horizontalVelocity, "north")),
+        upNoise_(context.noises.add(settings().verticalVelocity, "up")) {
+    message().set_frame_id(sensor_.frameName());
   }
 
-  void measure(Message& message) {
+  void measure() override {
     // requests may have changed them
     const GeodeticPosition place = world_.tangentPlane()->at(sensor_.pose().position);
-    message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree)));
-    message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree)));
-    message.set_altitude(altitudeNoise_.apply(place.altitude));
+    message().set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree)));
+    message().set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree)));
+    message().set_altitude(altitudeNoise_.apply(place.altitude));
     // Fortress treats x, y and z of the world as east, north and up, whatever its heading
     const Vector3 velocity = sensor_.linearVelocity();
-    message.set_velocity_east(eastNoise_.apply(velocity.x()));
-    message.set_velocity_north(northNoise_.apply(velocity.y()));
-    message.set_velocity_up(upNoise_.apply(velocity.z()));
+    message().set_velocity_east(eastNoise_.apply(velocity.x()));
+    message().set_velocity_north(northNoise_.apply(velocity.y()));
+    message().set_velocity_up(upNoise_.apply(velocity.z()));
   }
 
  private:
@@ -66,7 +66,7 @@ struct NavSatSensor {
   Noise &eastNoise_, &northNoise_, &upNoise_;
 };
 
-using NavSat = SensorSystem<NavSatSensor>;
+using NavSat = SensorSystemFor<NavSatSensor>;
 
 }  // namespace
 

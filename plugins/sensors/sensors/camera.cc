@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "point_cloud.hh"
@@ -53,17 +52,6 @@ Error errorOf(const Sensor& sensor, const std::string& what, const std::string& 
   return Error({Severity::kError, sensor.sdf().position, "camera '" + sensor.scopedName() + "' " + what, hint});
 }
 
-/// @return Red, green, blue and optionally opacity of an element; nothing if it is missing.
-std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
-  const Element* element = plugin.child(name);
-  if (element == nullptr) return std::nullopt;
-  std::istringstream numbers(element->text);
-  Vector3 color;
-  if (numbers >> color.x() >> color.y() >> color.z() && color.minCoeff() >= 0) return color;
-  throw Error({Severity::kError, element->position,
-               "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
-}
-
 /// @return The camera's settings, without noise types that cameras do not support; a warning reports these.
 CameraSettings usedSettings(const Sensor& sensor) {
   CameraSettings settings = *sensor.settings<CameraSettings>();
@@ -93,43 +81,32 @@ void begin(std::uint32_t width, std::uint32_t height, ignition::msgs::PixelForma
 
 }  // namespace
 
-CameraSurroundings::CameraSurroundings(const World& world, Node& node, const Element& plugin)
-    : Surroundings(world, node, plugin) {
-  scene().setColors(colorIn(plugin, "background_color"), colorIn(plugin, "ambient_light"));
-}
-
 CameraSensor::Kind CameraSensor::kindOf(const Sensor& sensor) {
   if (sensor.type() == "camera") return Kind::kColors;
   return sensor.type().starts_with("depth") ? Kind::kDepths : Kind::kBoth;
 }
 
-const char* CameraSensor::suffix(const Sensor& sensor) {
-  if (kindOf(sensor) == Kind::kDepths) return "/depth_image";
-  return kindOf(sensor) == Kind::kBoth ? "" : kSuffix;
-}
-
-const char* CameraSensor::behindTopic(const Sensor& sensor) { return kindOf(sensor) == Kind::kBoth ? "/image" : ""; }
-
-CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
-                           CameraSurroundings& shared)
-    : sensor_(sensor),
-      settings_(usedSettings(sensor)),
-      kind_(kindOf(sensor)),
-      surroundings_(shared),
-      noise_(noises.add(settings_.noise, "image")),
-      depthNoise_(noises.add(settings_.noise, "depth")) {
+CameraSensor::CameraSensor(const SensorContext& context, CameraSurroundings& surroundings)
+    : SensorOf(context),
+      sensor_(context.sensor),
+      settings_(usedSettings(sensor_)),
+      kind_(kindOf(sensor_)),
+      surroundings_(surroundings),
+      topic_(context.topic),
+      noise_(context.noises.add(settings_.noise, "image")),
+      depthNoise_(context.noises.add(settings_.noise, "depth")) {
   if (std::uint64_t{settings_.width} * settings_.height > kMostPixels) {
-    throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
+    throw errorOf(sensor_, "has more than " + std::to_string(kMostPixels) + " pixels", {});
   }
   if (kind_ != Kind::kDepths && imageFormat(settings_.format) == nullptr) {
-    throw errorOf(sensor, "has an unsupported <format>", "use R8G8B8, B8G8R8, L8 or L16");
+    throw errorOf(sensor_, "has an unsupported <format>", "use R8G8B8, B8G8R8, L8 or L16");
   }
   if (!settings_.lens.has_value() && settings_.horizontalFov >= 3.1) {
-    throw errorOf(sensor, "has a field of view too wide for a pinhole camera",
+    throw errorOf(sensor_, "has a field of view too wide for a pinhole camera",
                   "<horizontal_fov> must be less than 3.1 rad");
   }
   if (settings_.savesPictures && settings_.savePath.empty()) {
-    throw errorOf(sensor, "saves images, but has no <path>", "write <save><path>FOLDER</path></save>");
+    throw errorOf(sensor_, "saves images, but has no <path>", "write <save><path>FOLDER</path></save>");
   }
   settings_.clip.near = std::max(settings_.clip.near, kNearestClip);
   view_ = depthView_ = viewOf(settings_);
@@ -139,23 +116,21 @@ CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises,
   }
   if (settings_.distortion && kind_ == Kind::kColors) distortion_.emplace(*settings_.distortion, view_);
 
-  Node& node = shared.node();
-  const std::string topic = cleanTopic(sensor.topic(suffix(sensor)));
-  infos_ = node.advertise<ignition::msgs::CameraInfo>(
-      settings_.infoTopic.empty() ? infoTopic(topic, kind_ == Kind::kBoth) : cleanTopic(settings_.infoTopic));
-  if (kind_ == Kind::kBoth) depthImages_ = node.advertise<ignition::msgs::Image>(topic + "/depth_image");
-  if (kind_ != Kind::kColors) points_ = node.advertise<PointCloudPacked>(topic + "/points");
-  if (settings_.isTriggered) listenToTrigger(node);
-  beginMessages(message);
+  infos_ = context.node.advertise<ignition::msgs::CameraInfo>(
+      settings_.infoTopic.empty() ? infoTopic(topic_.name(), kind_ == Kind::kBoth) : cleanTopic(settings_.infoTopic));
+  if (kind_ == Kind::kBoth) depthImages_ = context.advertise(SensorReadings::kDepth);
+  if (kind_ != Kind::kColors) points_ = context.advertise(SensorReadings::kPoints);
+  if (settings_.isTriggered) listenToTrigger(context.node);
+  beginMessages();
 }
 
-void CameraSensor::beginMessages(Message& message) {
+void CameraSensor::beginMessages() {
   const std::uint32_t width = settings_.width, height = settings_.height;
   if (kind_ == Kind::kDepths) {
-    begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), message);
+    begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), message());
   } else {
     const ImageFormat& format = *imageFormat(settings_.format);
-    begin(width, height, format.type, format.bytes, message);
+    begin(width, height, format.type, format.bytes, message());
   }
   pongsim::fillIn(settings_, view_, info_);
   if (kind_ == Kind::kColors) return;
@@ -224,7 +199,8 @@ void CameraSensor::drawDepths() {
   }
 }
 
-void CameraSensor::measure(Message&, bool isHeard) {
+void CameraSensor::measure() {
+  const bool isHeard = topic_.hasSubscribers();
   view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
   const bool ofDepths = kind_ == Kind::kDepths;
   arePointsMeasured_ = arePointsHeard();
@@ -251,10 +227,10 @@ Bulk CameraSensor::depthBulk() const {
           }};
 }
 
-Bulk CameraSensor::bulk() {
+std::optional<Bulk> CameraSensor::bulk() {
   if (kind_ == Kind::kDepths) return depthBulk();
-  return {.size = std::size_t{settings_.width} * settings_.height * imageFormat(settings_.format)->bytes,
-          .write = [this](std::span<std::byte> to) { writeColors(to); }};
+  return Bulk{.size = std::size_t{settings_.width} * settings_.height * imageFormat(settings_.format)->bytes,
+              .write = [this](std::span<std::byte> to) { writeColors(to); }};
 }
 
 void CameraSensor::writeColors(std::span<std::byte> place) {
@@ -317,20 +293,20 @@ void CameraSensor::writePoints(std::span<std::byte> to) const {
   }
 }
 
-void CameraSensor::publishElsewhere(const Message& message) {
+void CameraSensor::publishElsewhere() {
   if (infos_.hasSubscribers()) {
-    *info_.mutable_header() = message.header();
+    *info_.mutable_header() = message().header();
     if (!settings_.opticalFrame.empty()) {
       setHeaderValue("frame_id", settings_.opticalFrame, *info_.mutable_header());
     }
     infos_.publish(info_);
   }
   if (isDepthHeard()) {
-    *depthImage_.mutable_header() = message.header();
+    *depthImage_.mutable_header() = message().header();
     depthImages_.publish(depthImage_, depthBulk());
   }
   if (arePointsMeasured_) {
-    *cloud_.mutable_header() = message.header();
+    *cloud_.mutable_header() = message().header();
     cloud_.set_is_dense(std::ranges::all_of(depths_, [](float depth) { return std::isfinite(depth); }));
     points_.publish(
         cloud_, {.size = depths_.size() * kPointSize, .write = [this](std::span<std::byte> to) { writePoints(to); }});

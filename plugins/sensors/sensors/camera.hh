@@ -14,49 +14,32 @@
 #include "pongsim/bulk.hh"
 #include "pongsim/node.hh"
 #include "pongsim/sensing/camera_scene.hh"
-#include "pongsim/sensing/noise_set.hh"
-#include "pongsim/sensing/sensor.hh"
+#include "pongsim/sensing/noise.hh"
+#include "pongsim/sensing/sensor_system.hh"
 #include "surroundings.hh"
 
 namespace pongsim {
 
 /// What the cameras of a world share.
-class CameraSurroundings : public Surroundings<CameraScene> {
+using CameraSurroundings = Surroundings<CameraScene>;
+
+/// One camera for colours, depths or both.
+class CameraSensor final : public SensorOf<ignition::msgs::Image> {
  public:
-  /// @param plugin Its colours replace those of the world's `<scene>`.
-  CameraSurroundings(const World& world, Node& node, const Element& plugin);
-};
-
-/// One camera for colours, depths or both: a sensor of a `SensorSystem`.
-class CameraSensor {
- public:
-  using Message = ignition::msgs::Image;
-  using Shared = CameraSurroundings;
-  static constexpr const char* kTypes[] = {"camera", "depth_camera", "depth", "rgbd_camera", "rgbd"};
-  static constexpr const char* kSuffix = "/image";
-  static constexpr const char* kText = "Publishes what the world's cameras see: colours, depths, points.";
-
-  /// Suffix of the default topic.
-  static const char* suffix(const Sensor& sensor);
-  /// Appended to the topic on which images are published.
-  static const char* behindTopic(const Sensor& sensor);
-
-  /// @throws Error if it has too many pixels, or OpenGL is not available.
-  CameraSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message,
-               CameraSurroundings& shared);
+  /// @throws Error if its settings are not supported, or it has too many pixels.
+  CameraSensor(const SensorContext& context, CameraSurroundings& surroundings);
 
   /// @return Whether it takes an image now. It does not while it waits for a trigger, or has no power.
-  bool isReady();
-  /// @param isHeard Whether the images have subscribers.
-  void measure(Message& message, bool isHeard);
+  bool isReady() override;
+  void measure() override;
   /// @return The pixels as in the message. An image that needs no processing is rendered directly into the first
   /// subscriber's buffer, when that asks for it.
-  Bulk bulk();
-  bool isHeardElsewhere() const;
+  std::optional<Bulk> bulk() override;
+  bool isHeardElsewhere() const override;
   /// Publishes and saves what `measure` has measured.
-  void publishElsewhere(const Message& message);
-  void reset();
-  void transfer(StateArchive& archive);
+  void publishElsewhere() override;
+  void reset() override;
+  void transfer(StateArchive& archive) override;
 
  private:
   enum class Kind { kColors, kDepths, kBoth };
@@ -65,7 +48,7 @@ class CameraSensor {
   enum class Drawing { kDue, kSent, kDone };
   static Kind kindOf(const Sensor& sensor);
 
-  void beginMessages(Message& message);
+  void beginMessages();
   void listenToTrigger(Node& node);
   bool isDepthHeard() const { return depthImages_ && depthImages_.hasSubscribers(); }
   bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
@@ -84,6 +67,7 @@ class CameraSensor {
   CameraSettings settings_;
   Kind kind_;
   CameraSurroundings& surroundings_;
+  const SensorTopic& topic_;
   Noise& noise_;
   /// In metres. A stream of its own, so that depths do not depend on whether colours are rendered.
   Noise& depthNoise_;

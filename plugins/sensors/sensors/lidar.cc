@@ -68,16 +68,16 @@ void fillInFixed(const LidarSettings& settings, std::uint32_t columns, std::uint
 
 }  // namespace
 
-LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
-                         LidarSurroundings& shared)
-    : sensor_(sensor),
-      settings_(*sensor.settings<LidarSettings>()),
-      surroundings_(shared),
-      noise_(noises.add(settings_.noise, "range")),
+LidarSensor::LidarSensor(const SensorContext& context, LidarSurroundings& surroundings)
+    : SensorOf(context),
+      sensor_(context.sensor),
+      settings_(*sensor_.settings<LidarSettings>()),
+      surroundings_(surroundings),
+      noise_(context.noises.add(settings_.noise, "range")),
       hasNoise_(settings_.noise.type != NoiseSettings::Type::kNone) {
-  const auto [columns, rows] = checkedCounts(sensor, settings_);
-  message.set_frame(sensor.frameName());
-  fillInFixed(settings_, columns, rows, message);
+  const auto [columns, rows] = checkedCounts(sensor_, settings_);
+  message().set_frame(sensor_.frameName());
+  fillInFixed(settings_, columns, rows, message());
   beginCloud(kPointFields, columns, rows, cloud_);
   echoes_.resize(std::size_t{columns} * rows);
   directions_.reserve(echoes_.size());
@@ -89,15 +89,16 @@ LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, M
       directions_.emplace_back(math::cos(up) * math::cos(left), math::cos(up) * math::sin(left), math::sin(up));
     }
   }
-  points_ = shared.node().advertise<PointCloudPacked>(cleanTopic(sensor.topic(kSuffix)) + "/points");
+  points_ = context.advertise(SensorReadings::kPoints);
 }
 
-void LidarSensor::measure(Message& message) {
+void LidarSensor::measure() {
+  LaserScan& scan = message();
   surroundings_.now().cast(sensor_, directions_, settings_.minRange, settings_.maxRange, settings_.visibilityMask,
                            echoes_);
-  setPose(sensor_.pose(), *message.mutable_world_pose());
-  double* ranges = message.mutable_ranges()->mutable_data();
-  double* intensities = message.mutable_intensities()->mutable_data();
+  setPose(sensor_.pose(), *scan.mutable_world_pose());
+  double* ranges = scan.mutable_ranges()->mutable_data();
+  double* intensities = scan.mutable_intensities()->mutable_data();
   for (const Echo& echo : echoes_) {
     double range = echo.range;
     if (hasNoise_ && std::isfinite(range)) {
@@ -108,15 +109,16 @@ void LidarSensor::measure(Message& message) {
   }
 }
 
-void LidarSensor::publishElsewhere(const Message& message) {
+void LidarSensor::publishElsewhere() {
   if (!points_.hasSubscribers()) return;
-  *cloud_.mutable_header() = message.header();
-  cloud_.set_is_dense(std::ranges::all_of(message.ranges(), [](double range) { return std::isfinite(range); }));
-  points_.publish(cloud_, {.size = directions_.size() * kPointSize,
-                           .write = [&](std::span<std::byte> to) { writePoints(message, to); }});
+  *cloud_.mutable_header() = message().header();
+  cloud_.set_is_dense(std::ranges::all_of(message().ranges(), [](double range) { return std::isfinite(range); }));
+  points_.publish(
+      cloud_, {.size = directions_.size() * kPointSize, .write = [this](std::span<std::byte> to) { writePoints(to); }});
 }
 
-void LidarSensor::writePoints(const Message& scan, std::span<std::byte> to) const {
+void LidarSensor::writePoints(std::span<std::byte> to) const {
+  const LaserScan& scan = message();
   std::byte* point = to.data();
   for (std::size_t i = 0; i < directions_.size(); ++i, point += kPointSize) {
     const double range = scan.ranges(static_cast<int>(i));

@@ -9,8 +9,8 @@
 
 #include "pongsim/node.hh"
 #include "pongsim/sensing/beam_scene.hh"
-#include "pongsim/sensing/noise_set.hh"
-#include "pongsim/sensing/sensor.hh"
+#include "pongsim/sensing/noise.hh"
+#include "pongsim/sensing/sensor_system.hh"
 #include "surroundings.hh"
 
 namespace pongsim {
@@ -18,27 +18,23 @@ namespace pongsim {
 /// What the lidars of a world share.
 using LidarSurroundings = Surroundings<BeamScene>;
 
-/// One lidar: a sensor of a `SensorSystem`.
-class LidarSensor {
+/// One lidar.
+class LidarSensor final : public SensorOf<ignition::msgs::LaserScan> {
  public:
-  using Message = ignition::msgs::LaserScan;
-  using Shared = LidarSurroundings;
-  static constexpr const char* kTypes[] = {"gpu_lidar", "lidar", "gpu_ray", "ray"};
+  /// Of its default topic.
   static constexpr const char* kSuffix = "/scan";
-  static constexpr const char* kText =
-      "Publishes what the world's lidars see: how far it is along each of their beams.";
 
   /// @throws Error if it has too many beams.
-  LidarSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message, LidarSurroundings& shared);
+  LidarSensor(const SensorContext& context, LidarSurroundings& surroundings);
 
-  bool isReady() const { return surroundings_.hasPower(sensor_); }
-  void measure(Message& message);
-  bool isHeardElsewhere() const { return points_.hasSubscribers(); }
-  /// Publishes the points of a scan.
-  void publishElsewhere(const Message& message);
+  bool isReady() override { return surroundings_.hasPower(sensor_); }
+  void measure() override;
+  bool isHeardElsewhere() const override { return points_.hasSubscribers(); }
+  /// Publishes the points of the scan.
+  void publishElsewhere() override;
 
  private:
-  void writePoints(const Message& scan, std::span<std::byte> to) const;
+  void writePoints(std::span<std::byte> to) const;
 
   Sensor sensor_;
   LidarSettings settings_;

@@ -1,3 +1,10 @@
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "camera.hh"
 #include "lidar.hh"
 #include "pongsim/sensing/sensor_system.hh"
@@ -6,8 +13,46 @@ namespace pongsim {
 
 namespace {
 
-class Sensors final : public System {
+constexpr const char* kScan = "ignition.msgs.LaserScan";
+constexpr const char* kPoints = "ignition.msgs.PointCloudPacked";
+constexpr const char* kImage = "ignition.msgs.Image";
+
+/// What lidars and cameras publish.
+std::vector<SensorReadings> allReadings() {
+  using Readings = SensorReadings;
+  std::vector<Readings> all;
+  for (const char* type : {"gpu_lidar", "lidar", "gpu_ray", "ray"}) {
+    all.push_back({type, Readings::kRanges, LidarSensor::kSuffix, "", kScan});
+    all.push_back({type, Readings::kPoints, LidarSensor::kSuffix, "/points", kPoints});
+  }
+  all.push_back({"camera", Readings::kImage, "/image", "", kImage});
+  for (const char* type : {"depth_camera", "depth"}) {
+    all.push_back({type, Readings::kDepth, "/depth_image", "", kImage});
+    all.push_back({type, Readings::kPoints, "/depth_image", "/points", kPoints});
+  }
+  for (const char* type : {"rgbd_camera", "rgbd"}) {
+    all.push_back({type, Readings::kImage, "", "/image", kImage});
+    all.push_back({type, Readings::kDepth, "", "/depth_image", kImage});
+    all.push_back({type, Readings::kPoints, "", "/points", kPoints});
+  }
+  return all;
+}
+
+/// @return Red, green, blue and optionally opacity of an element; nothing if it is missing.
+std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
+  const Element* element = plugin.child(name);
+  if (element == nullptr) return std::nullopt;
+  std::istringstream numbers(element->text);
+  Vector3 color;
+  if (numbers >> color.x() >> color.y() >> color.z() && color.minCoeff() >= 0) return color;
+  throw Error({Severity::kError, element->position,
+               "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
+}
+
+class Sensors final : public SensorSystem {
  public:
+  Sensors() : SensorSystem(allReadings()) {}
+
   void declare(Declaration& declaration) override {
     const std::string sensor = "/world/W/model/M/link/L/sensor/S";
     declaration.is("Publishes lidar scans, point clouds and camera images.", Declaration::Place::kWorld);
@@ -16,47 +61,70 @@ class Sensors final : public System {
     declaration.element("ambient_light", "the same for its `<ambient>`");
     declaration.parameter("disable_on_drained_battery", &restsWithoutPower_, "",
                           "switches off sensors of models with empty batteries");
-    declaration.publishes(sensor + "/scan", "ignition.msgs.LaserScan",
+    declaration.publishes(sensor + "/scan", kScan,
                           "one per lidar; `<topic>` in the `<sensor>` renames it, `<update_rate>` sets its rate");
-    declaration.publishes(sensor + "/scan/points", "ignition.msgs.PointCloudPacked",
+    declaration.publishes(sensor + "/scan/points", kPoints,
                           "point cloud of each lidar: the scan's topic with `/points`");
-    declaration.publishes(sensor + "/image", "ignition.msgs.Image",
+    declaration.publishes(sensor + "/image", kImage,
                           "colour image of each `camera`, and of each `rgbd_camera` with `/image`");
-    declaration.publishes(sensor + "/depth_image", "ignition.msgs.Image",
+    declaration.publishes(sensor + "/depth_image", kImage,
                           "depth image [m] of each `depth_camera`, and of each `rgbd_camera` with `/depth_image`");
-    declaration.publishes(sensor + "/depth_image/points", "ignition.msgs.PointCloudPacked",
+    declaration.publishes(sensor + "/depth_image/points", kPoints,
                           "point cloud of each `depth_camera` and `rgbd_camera`: its topic with `/points`");
     declaration.publishes(sensor + "/camera_info", "ignition.msgs.CameraInfo",
                           "of each camera, beside its images; renamed by `<camera_info_topic>`");
-    SensorTopic::declare(declaration);
+    SensorSystem::declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
-    lidars_.configure(context);
-    cameras_.configure(context);
+    plugin_ = &context.sdf;
+    SensorSystem::configure(context);
   }
-  void worldChanged() override {
-    lidars_.worldChanged();
-    cameras_.worldChanged();
-  }
+
   void postUpdate(const StepInfo& info) override {
-    lidars_.postUpdate(info);
-    cameras_.postUpdate(info);
+    if (lidars_) lidars_->beginStep();
+    if (cameras_) cameras_->beginStep();
+    SensorSystem::postUpdate(info);
   }
-  void reset() override {
-    lidars_.reset();
-    cameras_.reset();
+
+ protected:
+  void rebuild(Diagnostics& diagnostics) override {
+    if (lidars_) lidars_->rebuild(diagnostics);
+    if (cameras_) cameras_->rebuild(diagnostics);
   }
-  void transfer(StateArchive& archive) override {
-    lidars_.transfer(archive);
-    cameras_.transfer(archive);
+
+  std::unique_ptr<SensorDevice> make(const SensorContext& context) override {
+    if (context.sensor.settings<LidarSettings>() != nullptr) {
+      return std::make_unique<LidarSensor>(context, lidars(context));
+    }
+    return std::make_unique<CameraSensor>(context, cameras(context));
   }
 
  private:
-  /// Read again by `Surroundings`.
+  // made with the first sensor of the kind, because the libraries that they need are loaded then
+
+  LidarSurroundings& lidars(const SensorContext& context) {
+    if (!lidars_) {
+      lidars_ = std::make_unique<LidarSurroundings>(context.world, restsWithoutPower_);
+      lidars_->rebuild(context.diagnostics);
+    }
+    return *lidars_;
+  }
+
+  CameraSurroundings& cameras(const SensorContext& context) {
+    if (!cameras_) {
+      auto made = std::make_unique<CameraSurroundings>(context.world, restsWithoutPower_);
+      made->scene().setColors(colorIn(*plugin_, "background_color"), colorIn(*plugin_, "ambient_light"));
+      cameras_ = std::move(made);
+      cameras_->rebuild(context.diagnostics);
+    }
+    return *cameras_;
+  }
+
   bool restsWithoutPower_ = false;
-  SensorSystem<LidarSensor> lidars_;
-  SensorSystem<CameraSensor> cameras_;
+  const Element* plugin_ = nullptr;
+  std::unique_ptr<LidarSurroundings> lidars_;
+  std::unique_ptr<CameraSurroundings> cameras_;
 };
 
 }  // namespace

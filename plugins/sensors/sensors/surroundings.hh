@@ -4,32 +4,28 @@
 
 #include "pongsim/battery.hh"
 #include "pongsim/diagnostic.hh"
-#include "pongsim/element.hh"
 #include "pongsim/handles.hh"
-#include "pongsim/node.hh"
 #include "pongsim/sensing/sensor.hh"
-#include "pongsim/system.hh"
 
 namespace pongsim {
 
-/// What the sensors of a kind share: the visible scene, the node, the batteries.
+/// What the sensors of a kind share: the visible scene, moved to its current pose at most once per step, and the
+/// batteries.
 template <class SeenScene>
 class Surroundings {
  public:
-  Surroundings(const World& world, Node& node, const Element& plugin)
-      : scene_(world),
-        node_(node),
-        batteries_(world),
-        restsWithoutPower_(plugin.get<bool>("disable_on_drained_battery", false)) {}
+  /// @param restsWithoutPower `<disable_on_drained_battery>`
+  Surroundings(const World& world, bool restsWithoutPower)
+      : scene_(world), batteries_(world), restsWithoutPower_(restsWithoutPower) {}
 
-  void observe(const StepInfo&) { isOfNow_ = false; }
+  /// A new step begins: poses have changed.
+  void beginStep() { isCurrent_ = false; }
   void rebuild(Diagnostics& diagnostics) {
     scene_.rebuild(diagnostics);
-    isOfNow_ = false;
+    isCurrent_ = false;
   }
 
   SeenScene& scene() { return scene_; }
-  Node& node() { return node_; }
   /// @return Whether the sensor works. With `<disable_on_drained_battery>` it does not if its model, or an outer one,
   /// has empty batteries.
   bool hasPower(const Sensor& sensor) const {
@@ -41,17 +37,16 @@ class Surroundings {
   }
   /// @return The scene with the poses of this step.
   SeenScene& now() {
-    if (!isOfNow_) scene_.update();
-    isOfNow_ = true;
+    if (!isCurrent_) scene_.update();
+    isCurrent_ = true;
     return scene_;
   }
 
  private:
   SeenScene scene_;
-  Node& node_;
   Batteries batteries_;
   bool restsWithoutPower_;
-  bool isOfNow_ = false;
+  bool isCurrent_ = false;
 };
 
 }  // namespace pongsim

@@ -11,7 +11,7 @@ namespace pongsim::cli {
 
 namespace {
 
-using Way = Declaration::Way;
+using Endpoint = Declaration::Endpoint;
 
 const char* placeText(Declaration::Place place) {
   switch (place) {
@@ -26,11 +26,11 @@ const char* placeText(Declaration::Place place) {
   }
 }
 
-const char* verb(Way::Kind kind) {
+const char* verb(Endpoint::Kind kind) {
   switch (kind) {
-    case Way::Kind::kPublished:
+    case Endpoint::Kind::kPublished:
       return "publishes";
-    case Way::Kind::kSubscribed:
+    case Endpoint::Kind::kSubscribed:
       return "subscribes to";
     default:
       return "offers";
@@ -49,7 +49,9 @@ std::string defaultText(const Parameter& parameter) {
   return text;
 }
 
-std::string typesOf(const Way& way) { return way.type + (way.replyType.empty() ? "" : ", " + way.replyType); }
+std::string typesOf(const Endpoint& endpoint) {
+  return endpoint.type + (endpoint.replyType.empty() ? "" : ", " + endpoint.replyType);
+}
 
 /// Adds the rows; all columns but the last are as wide as needed.
 void addTable(const std::vector<std::vector<std::string>>& rows, std::string& text) {
@@ -104,7 +106,8 @@ void addClassText(const std::vector<std::string>& names, const Declaration& decl
   if (!rows.empty()) text += "parameters, with type, default and meaning:\n";
   addTable(rows, text);
   rows.clear();
-  for (const Way& way : declaration.ways()) rows.push_back({verb(way.kind), way.name, typesOf(way), way.text});
+  for (const Endpoint& endpoint : declaration.endpoints())
+    rows.push_back({verb(endpoint.kind), endpoint.name, typesOf(endpoint), endpoint.text});
   if (!rows.empty()) text += "topics and services, with types:\n";
   addTable(rows, text);
 }
@@ -121,11 +124,11 @@ void addClassMarkdown(const std::string& name, const Declaration& declaration, c
               escaped(parameter->text()) + " |\n";
     }
   }
-  if (!declaration.ways().empty()) {
+  if (!declaration.endpoints().empty()) {
     text += "\n| | topic or service | types | |\n|---|---|---|---|\n";
-    for (const Way& way : declaration.ways()) {
-      text += std::string("| ") + verb(way.kind) + " | `" + way.name + "` | " + typesOf(way) + " | " +
-              escaped(way.text) + " |\n";
+    for (const Endpoint& endpoint : declaration.endpoints()) {
+      text += std::string("| ") + verb(endpoint.kind) + " | `" + endpoint.name + "` | " + typesOf(endpoint) + " | " +
+              escaped(endpoint.text) + " |\n";
     }
   }
 }

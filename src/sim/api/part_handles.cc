@@ -19,10 +19,6 @@ std::size_t numberInLink(const sim::Access& access, CollisionId id) {
   return slot - access.entities.links()[access.entities.collisions()[slot].link].firstCollision;
 }
 
-const world::SensorRecord& record(const sim::Access& access, SensorId id) {
-  return access.entities.sensors()[slotOf(access, id)];
-}
-
 Shape trianglesOf(const std::shared_ptr<const description::TriangleMesh>& mesh, const Vector3& scale) {
   if (mesh == nullptr) return NoShape();
   return TriangleShape{mesh->vertices, mesh->triangles, scale, mesh};
@@ -41,13 +37,6 @@ struct ShapeOf {
   Shape operator()(const description::Empty&) const { return NoShape(); }
   Shape operator()(const description::Image&) const { return NoShape(); }
 };
-
-/// @return "/model/outer/model/inner"
-std::string modelTopic(const world::Entities& entities, world::Slot model) {
-  if (model == world::kNoSlot) return "";
-  const world::ModelRecord& record = entities.models()[model];
-  return modelTopic(entities, record.parent) + "/model/" + record.description->name;
-}
 
 }  // namespace
 
@@ -103,83 +92,6 @@ std::optional<MeshFile> Collision::meshFile() const {
 }
 
 SourcePosition Collision::sourcePosition() const { return record(*access_, id_).description->position; }
-
-bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
-
-bool Sensor::isSetAside() const { return access_->entities.isSetAside(id_.value); }
-
-std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
-
-std::string_view Sensor::type() const { return record(*access_, id_).description->type; }
-
-std::string Sensor::scopedName() const {
-  const std::optional<Joint> holder = joint();
-  if (!holder) return link().scopedName() + "::" + std::string(name());
-  const world::Slot model = access_->entities.joints()[record(*access_, id_).joint].model;
-  const std::string scope = model == world::kNoSlot ? "" : access_->entities.models()[model].scopedName + "::";
-  return scope + std::string(holder->name()) + "::" + std::string(name());
-}
-
-Link Sensor::link() const {
-  const world::SensorRecord& sensor = record(*access_, id_);
-  if (sensor.joint != world::kNoSlot) return joint()->child();
-  return Link(*access_, access_->entities.links()[sensor.link].id);
-}
-
-std::optional<Joint> Sensor::joint() const {
-  const world::Slot slot = record(*access_, id_).joint;
-  if (slot == world::kNoSlot) return std::nullopt;
-  return Joint(*access_, access_->entities.joints()[slot].id);
-}
-
-Pose Sensor::poseInLink() const {
-  const world::SensorRecord& sensor = record(*access_, id_);
-  if (sensor.joint == world::kNoSlot) return sensor.description->X_ParentSensor;
-  return access_->entities.joints()[sensor.joint].description->X_ChildJoint * sensor.description->X_ParentSensor;
-}
-
-Pose Sensor::pose() const { return link().pose() * poseInLink(); }
-
-Vector3 Sensor::linearVelocity() const {
-  const Link holder = link();
-  return holder.linearVelocity() + holder.angularVelocity().cross(holder.pose().rotation * poseInLink().position);
-}
-
-double Sensor::updateRate() const { return record(*access_, id_).description->updateRate; }
-
-bool Sensor::isAlwaysOn() const { return record(*access_, id_).description->alwaysOn; }
-
-bool Sensor::hasMetrics() const { return record(*access_, id_).description->hasMetrics; }
-
-std::string Sensor::topic(std::string_view suffix) const {
-  const world::SensorRecord& sensor = record(*access_, id_);
-  const world::Entities& entities = access_->entities;
-  const world::Slot holder =
-      sensor.joint != world::kNoSlot ? entities.joints()[sensor.joint].model : entities.links()[sensor.link].model;
-  const std::string& nameSpace = entities.nameSpace(holder);
-  if (!sensor.description->topic.empty()) {
-    const std::string& topic = sensor.description->topic;
-    return nameSpace.empty() ? topic : nameSpace + (topic.starts_with('/') ? "" : "/") + topic;
-  }
-  std::string topic = nameSpace + "/world/" + entities.description().name;
-  if (sensor.joint != world::kNoSlot) {
-    const world::JointRecord& joint = entities.joints()[sensor.joint];
-    topic += modelTopic(entities, joint.model) + "/joint/" + joint.description->name;
-  } else {
-    const world::LinkRecord& link = entities.links()[sensor.link];
-    topic += modelTopic(entities, link.model) + "/link/" + link.description->name;
-  }
-  return topic.append("/sensor/").append(sensor.description->name).append(suffix);
-}
-
-std::string Sensor::frameName() const {
-  const std::string& frame = record(*access_, id_).description->frame;
-  return frame.empty() ? scopedName() : frame;
-}
-
-const SensorSettings& Sensor::allSettings() const { return record(*access_, id_).description->settings; }
-
-const Element& Sensor::sdf() const { return record(*access_, id_).description->sdf; }
 
 std::optional<Collision> World::collision(CollisionId id) const {
   if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;

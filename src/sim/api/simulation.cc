@@ -351,6 +351,10 @@ bool Simulation::addSystem(std::string name, std::unique_ptr<System> system, Dia
   return parts_->systems.add(std::move(name), std::move(system), diagnostics);
 }
 
+std::vector<SensorReadings> Simulation::readings(std::string_view sensorType) const {
+  return parts_->systems.readings(sensorType);
+}
+
 void Simulation::offerEdits() {
   if (!parts_->offers) parts_->offers.emplace(*this);
 }

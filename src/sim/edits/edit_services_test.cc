@@ -283,12 +283,12 @@ TEST_F(EditServicesTest, PutTheWorldAndModelsSomewhereOnTheEarth) {
 TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
   const plugin::CoreSystem& system = *plugin::coreSystem("user-commands");
   int services = 0;
-  for (const Declaration::Way& way : system.declaration.ways()) {
-    if (way.kind != Declaration::Way::Kind::kService) continue;
+  for (const Declaration::Endpoint& endpoint : system.declaration.endpoints()) {
+    if (endpoint.kind != Declaration::Endpoint::Kind::kService) continue;
     ++services;
-    const std::string name = "/world/w/" + way.name.substr(std::string("/world/W/").size());
-    const MessagePointer request = newMessage(way.type);
-    const MessagePointer reply = newMessage(way.replyType);
+    const std::string name = "/world/w/" + endpoint.name.substr(std::string("/world/W/").size());
+    const MessagePointer request = newMessage(endpoint.type);
+    const MessagePointer reply = newMessage(endpoint.replyType);
     const CallOutcome outcome = test::askService(simulation_->transport(), name, *request, *reply).outcome;
     // an empty request is understood, whether it can be met or not
     EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "pongsim/sensing/sensor.hh"
+#include "pongsim/sensing/sensor_topic.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim {

@@ -1,4 +1,4 @@
-#include "sim/sensor_metrics.hh"
+#include "sim/sensing/sensor_metrics.hh"
 
 #include <algorithm>
 #include <utility>

@@ -8,7 +8,7 @@ namespace pongsim {
 struct BeamScene::Content {
   sim::Access& access;
   sensing::Scene scene = {};
-  /// Those of the world that it knows of.
+  /// `Access::changes` at the last `rebuild`.
   std::uint64_t changes = 0;
 };
 
@@ -22,7 +22,7 @@ void BeamScene::rebuild(Diagnostics& diagnostics) {
 }
 
 void BeamScene::update() {
-  // who steps a simulation himself is told by nobody that a level has come or gone
+  // levels load and unload within a step, and a program that steps the simulation is not notified of that
   if (content_->changes != content_->access.changes) {
     Diagnostics none;
     rebuild(none);

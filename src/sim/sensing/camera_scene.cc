@@ -16,7 +16,7 @@ struct CameraScene::Content {
   sim::Access& access;
   std::unique_ptr<rendering::Renderer> renderer;
   rendering::Scene scene = {};
-  /// Those of the world that it knows of.
+  /// `Access::changes` at the last `rebuild`.
   std::uint64_t changes = 0;
 };
 
@@ -35,7 +35,7 @@ void CameraScene::rebuild(Diagnostics& diagnostics) {
 }
 
 void CameraScene::update() {
-  // who steps a simulation himself is told by nobody that a level has come or gone
+  // levels load and unload within a step, and a program that steps the simulation is not notified of that
   if (content_->changes != content_->access.changes) {
     Diagnostics none;
     rebuild(none);

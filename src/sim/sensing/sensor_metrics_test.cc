@@ -1,4 +1,4 @@
-#include "sim/sensor_metrics.hh"
+#include "sim/sensing/sensor_metrics.hh"
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/performance_sensor_metrics.pb.h>

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "msgs/control/control_messages.hh"
-#include "pongsim/sensing/sensor.hh"
-#include "sim/sensor_metrics.hh"
+#include "pongsim/sensing/sensor_topic.hh"
+#include "sim/sensing/sensor_metrics.hh"
 
 namespace pongsim {
 
@@ -21,22 +21,22 @@ Time messagePeriod(double rate) {
 SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
                          std::string_view behind)
     : frameName_(sensor.frameName()),
+      name_(cleanTopic(sensor.topic(suffix))),
       largestRate_(sensor.updateRate()),
       rate_(largestRate_),
       period_(messagePeriod(rate_)) {
-  const std::string topic = cleanTopic(sensor.topic(suffix));
   try {
-    publisher_ = node.advertise(topic + std::string(behind), type);
-    rateService_ = node.serve(topic + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
+    publisher_ = node.advertise(name_ + std::string(behind), type);
+    rateService_ = node.serve(name_ + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
                               [this](const Message& request, Message&) {
                                 setRate(msgs::number(request));
                                 return true;
                               });
-    if (sensor.hasMetrics()) metrics_ = std::make_unique<sim::SensorMetrics>(sensor, topic, node);
+    if (sensor.hasMetrics()) metrics_ = std::make_unique<sim::SensorMetrics>(sensor, name_, node);
   } catch (const std::invalid_argument& error) {
     throw Error({Severity::kError,
                  sensor.sdf().position,
-                 "sensor '" + sensor.scopedName() + "' can't publish on '" + topic + "': " + error.what(),
+                 "sensor '" + sensor.scopedName() + "' can't publish on '" + name_ + "': " + error.what(),
                  {}});
   }
 }
