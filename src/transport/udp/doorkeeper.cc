@@ -9,8 +9,8 @@ namespace pongsim::transport {
 
 namespace {
 
-// Of all, from one socket and at one port of this machine. Who was killed may be known for a while beside its
-// successor.
+// Participants in total, from one socket, and at one port of this machine, where a killed one stays known for a while
+// beside its successor.
 constexpr std::size_t kMostKnown = 512, kMostOfSocket = 4, kMostAtPort = 4;
 // Of another machine: as many as a domain has ports for on one.
 constexpr std::ptrdiff_t kMostOfAddress = 128;
@@ -20,7 +20,8 @@ constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
 // How long the library may take to drop who says goodbye.
 constexpr std::chrono::seconds kGoodbye{10};
 
-// How long an announcement is no news to the library, which takes note of its lease alone.
+// An announcement that the library has seen is passed on again only after this time: it would just renew the lease,
+// which is kept here.
 constexpr std::chrono::seconds kNews{10};
 
 constexpr std::uint32_t kThisMachinesNet = 127;
@@ -35,7 +36,7 @@ bool Allowance::take(double amount, TimePoint now) {
   return true;
 }
 
-// More than any honest participant needs: it says the rest again until it is heard.
+// More than an honest participant needs; DDS repeats what is dropped.
 Doorkeeper::Known::Known()
     : endpoints(5000, 100), endpointBytes(8 << 20, 128 << 10), gaps(1e6, 16e3), repeatRequests(1e4, 5e3) {}
 
@@ -48,9 +49,10 @@ bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now)
          repeatRequests.take(static_cast<double>(message.repeatRequests), now);
 }
 
-/// Takes note of what it acknowledges.
-/// @return Whether it has forgotten this participant, has met it again, and misses what it had acknowledged. Its first
-/// acknowledgement, of nothing, asks for all of that, but can be lost. To the others Fast DDS 2.9 has no answer.
+/// Notes what it acknowledges.
+/// @return Whether it has dropped this participant and discovered it again, because it acknowledges less than before.
+/// Its first acknowledgement, of nothing, requests all data again but may be lost; Fast DDS 2.9 does not answer later
+/// ones.
 bool Doorkeeper::Known::hasForgotten(const RtpsMessage& message) {
   for (const RtpsAcknowledgement& each : message.acknowledgements) {
     const auto [last, isFirst] = acknowledged.try_emplace(each.writer, each);
@@ -61,7 +63,7 @@ bool Doorkeeper::Known::hasForgotten(const RtpsMessage& message) {
   return false;
 }
 
-/// @return Whether the library is to see the message: not an announcement that it knows. Its lease is not kept there.
+/// @return Whether to pass the message to the library: not if it only repeats an announcement that the library knows.
 bool Doorkeeper::Known::isNews(const RtpsMessage& message, TimePoint now) {
   if (!message.isAnnouncement()) return true;
   const std::uint64_t sequence = message.discovery.front().sequence;
@@ -81,7 +83,7 @@ Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const Rt
   bool isGoodbye = false;
   for (const RtpsDiscovery& sample : message->discovery) {
     if (sample.prefix != message->source) return {};
-    // the library would take it for none at all, and drop the participant whenever it has met it
+    // the library would take it for a lease of zero, and drop the participant each time
     if (sample.isOfParticipant() && sample.isAlive && !sample.lease) return {};
     isGoodbye |= sample.isOfParticipant() && !sample.isAlive;
   }
@@ -108,8 +110,8 @@ void Doorkeeper::sends(const RtpsMessage& message) {
   for (const RtpsHeartbeat& each : message.heartbeats) note(each.writer, each.last);
 }
 
-/// @return A message in which the participant acknowledges all that was sent of discovery; empty where there is
-/// nothing, or it is not known.
+/// @return A message in which the participant acknowledges all discovery data sent so far; empty if there is none, or
+/// the participant is not known.
 std::vector<std::uint8_t> Doorkeeper::lastAcknowledgement(const RtpsPrefix& prefix) const {
   const auto known = known_.find(prefix);
   if (known == known_.end() || sent_.empty()) return {};
@@ -164,7 +166,7 @@ Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {
   return endings;
 }
 
-/// @return Whether it is a socket of the participant, which has one for each of its addresses.
+/// @return Whether the participant sends from this socket. It has one for each of its addresses.
 bool Doorkeeper::isFrom(Known& known, const RtpsAddress& from) {
   const auto same = std::ranges::find(known.sockets, from.address, &RtpsAddress::address);
   if (same != known.sockets.end()) return *same == from;
@@ -175,8 +177,8 @@ bool Doorkeeper::isFrom(Known& known, const RtpsAddress& from) {
   return isItsOwn;
 }
 
-/// Keeps one in mind that announces itself and could be there.
-/// @return Null where it could not.
+/// Adds a participant that announces itself, if its socket and its discovery port exist.
+/// @return Null if they do not, or there are too many.
 Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsAddress& from, Side side,
                                          TimePoint now) {
   const auto announcement = std::ranges::find_if(
@@ -203,8 +205,8 @@ Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsA
   return &known;
 }
 
-/// @return Whether one more may be known, at that port, and its socket is there. Ends the leases of those at that port
-/// of this machine whose socket has gone.
+/// Ends the leases of participants at that port of this machine whose sockets are closed.
+/// @return Whether another participant may be known at that port, and its socket exists.
 bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side) {
   if (leases_.size() >= kMostKnown) return false;
   if (side == Side::kBeyond) {

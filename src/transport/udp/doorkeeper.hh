@@ -24,14 +24,14 @@ using shared::RtpsHeartbeat;
 using shared::RtpsMessage;
 using shared::RtpsPrefix;
 
-/// So much a second, and so much at once.
+/// A token bucket: an amount at once, and then an amount per second.
 class Allowance {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   Allowance(double most, double perSecond) : most_(most), perSecond_(perSecond), left_(most) {}
 
-  /// @return Whether there is as much, which then is taken.
+  /// @return Whether the amount was there; it is then taken.
   bool take(double amount, TimePoint now);
 
  private:
@@ -39,38 +39,38 @@ class Allowance {
   std::optional<TimePoint> last_;
 };
 
-/// Decides which messages a participant's library gets to see, for it trusts everybody: whoever says to be a
-/// participant is kept in mind for as long as he says, and whoever speaks in another's name is believed.
+/// Decides which received messages Fast DDS sees, because it trusts every sender: it keeps each announced participant
+/// for the announced lease, whatever that is, and accepts messages in the name of others.
 ///
-/// A participant is introduced by its first announcement. That must come from a socket, and lead to a port, that there
-/// are. From then on its messages come from that socket and no other, and what can be asked of its reader is bounded
-/// by time: endpoints that it tells of, numbers that it skips, samples that it wants again. When it has been silent for
-/// its lease, or has forgotten this participant, the library is told to drop it.
+/// A participant becomes known by its first announcement, which must come from an existing socket and name an existing
+/// discovery port. From then on its messages must come from that socket, and what they cost is limited per second:
+/// announced endpoints, sequence numbers in gaps, samples requested again. When it has been silent for its lease, or
+/// has forgotten this participant, the library is told to drop it.
 ///
-/// Before the library drops a participant, it is told that the participant has received all of this one's discovery.
-/// Fast DDS 2.9 otherwise waits for itself for ever, with the participant's locks, where one leaves that is just being
-/// sent again what tells of an endpoint's end (docs/transport.md). Any thread may use this.
+/// Before the library drops a participant, it is told that the participant has acknowledged all discovery data of this
+/// one. Otherwise Fast DDS 2.9 deadlocks if the participant leaves while the end of an endpoint is being sent to it
+/// again (docs/transport.md). Thread-safe.
 class Doorkeeper {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   enum class Side {
-    /// This machine, whose sockets can be looked at.
+    /// From this machine, whose open sockets the system can list.
     kLoopback,
-    /// Others.
+    /// From other machines.
     kBeyond
   };
   /// What is open on this machine.
   struct Sockets {
-    /// Whether somebody listens for participants at the port.
+    /// Whether a process listens for participants at the port.
     std::function<bool(std::uint32_t port)> isDiscovery;
-    /// Whether there is that socket.
+    /// Whether a socket has the address.
     std::function<bool(const RtpsAddress& address)> isOpen;
   };
 
   struct Admission {
     /// Whether the library may see the message.
     bool isAdmitted = false;
-    /// A message that it must see before; empty: none.
+    /// A message to pass to it first; empty: none.
     std::vector<std::uint8_t> before;
   };
 
@@ -80,22 +80,22 @@ class Doorkeeper {
   /// @param from The socket that it comes from.
   Admission admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
 
-  /// Takes note of a message that this participant sends.
+  /// Notes what a message that this participant sends says of its discovery data.
   void sends(const RtpsMessage& message);
 
-  /// Takes note of whom the library knows, and of whom it does no longer.
+  /// Notes that the library knows a participant, or no longer knows it.
   void discovered(const RtpsPrefix& prefix, TimePoint now);
   void removed(const RtpsPrefix& prefix);
 
-  /// Lets nothing in of a participant of the same process, which listens for others at that port.
+  /// Refuses all messages of another participant of this process, which listens for others at that port.
   void ignore(const RtpsPrefix& prefix, std::uint32_t port);
 
-  /// @return Whether somebody known listens for others at this port of this machine, and all who do have acknowledged
-  /// what the heartbeat announces. True where it is the port of one who is ignored.
+  /// @return Whether known participants of this machine listen for others at this port, and all of them have
+  /// acknowledged what the heartbeat announces; also true for the port of an ignored one.
   bool isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat);
 
   struct Endings {
-    /// Messages for the library, in this order. It then drops those who have been silent for their lease.
+    /// Messages to pass to the library, in this order: it then drops the participants whose lease has ended.
     std::vector<std::vector<std::uint8_t>> messages;
     TimePoint nextLook;
   };
@@ -103,18 +103,18 @@ class Doorkeeper {
 
  private:
   struct Known {
-    /// One at most of each address.
+    /// The sockets that its messages come from, at most one per address.
     std::vector<RtpsAddress> sockets;
     /// Those of its announcement.
     std::vector<RtpsAddress> addresses;
     /// Where it listens for others.
     std::uint32_t port = 0;
     Side side = Side::kLoopback;
-    /// Whether the library knows it, and the announcement that the library has seen last.
+    /// Whether the library knows it, and the sequence number and time of the last announcement that the library saw.
     bool isDiscovered = false;
     std::uint64_t seen = 0;
     TimePoint seenAt;
-    /// What it has received of the participant's own discovery, by writer.
+    /// What it has acknowledged of this participant's discovery data, by writer.
     std::map<RtpsEntity, RtpsAcknowledgement> acknowledged;
     Allowance endpoints, endpointBytes, gaps, repeatRequests;
 
@@ -131,14 +131,14 @@ class Doorkeeper {
 
   std::mutex mutex_;
   Sockets sockets_;
-  /// Those whose lease runs.
+  /// Participants whose lease has not ended.
   std::map<RtpsPrefix, Known> known_;
-  /// By participant, the port.
+  /// The port of each ignored participant.
   std::map<RtpsPrefix, std::uint32_t> ignored_;
-  /// By writer of this participant's own discovery, the number of its last sample that was sent.
+  /// The number of the last sample sent by each writer of this participant's discovery data.
   std::map<RtpsEntity, std::uint64_t> sent_;
   shared::Leases leases_;
-  /// Looks at the system's sockets.
+  /// Queries of the system's sockets.
   Allowance looks_{300, 100};
 };
 
