@@ -52,6 +52,10 @@ struct SimulationOptions {
   /// Let physics move bodies. Without it they stay where systems put them (`StatePlayer`), whatever systems the world
   /// lists, and time may be set (`Simulation::setTime`).
   bool physics = true;
+  /// Load libraries that the file's `<plugin>`s name by their paths, too, instead of only by names that are looked for
+  /// in the folders of systems: whoever writes the file can then run any code. The environment variable
+  /// PONGSIM_ALLOW_PLUGIN_PATHS=1 allows it as well. Never done for inserted models and for files of a Fuel server.
+  bool allowPluginPaths = false;
 };
 
 /// What a file had to insert: a model, or a light by its name.

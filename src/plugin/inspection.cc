@@ -34,6 +34,7 @@ Inspection::Inspection(std::unique_ptr<Library> library) : library_(std::move(li
 
 std::optional<std::filesystem::path> findLibrary(const std::vector<std::filesystem::path>& searchPath,
                                                  std::string_view filename) {
+  if (filename.find('/') != std::string_view::npos) return std::nullopt;
   const std::string name = systemName(filename);
   for (const std::filesystem::path& folder : searchPath) {
     for (const std::string& candidate :

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/nearest_word.hh"
@@ -37,6 +38,21 @@ const SystemEntry* findEntry(const Library& library, const std::string& classNam
   return nullptr;
 }
 
+/// @return The file, if it is there.
+std::optional<std::filesystem::path> existing(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
+  return file;
+}
+
+void reportPath(const description::Plugin& plugin, Loader::Paths paths, Diagnostics& diagnostics) {
+  const std::string leave = paths == Loader::Paths::kNever
+                                ? "only the world that a run starts with may name paths, if it is not from a server; "
+                                : "if you trust this world, run it with --allow-plugin-paths; or ";
+  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' is a path, which is not allowed here",
+                    leave + "name the library alone, and its folder in PONGSIM_PLUGIN_PATH");
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> defaultSearchPath() {
@@ -51,9 +67,9 @@ std::vector<std::filesystem::path> defaultSearchPath() {
 
 Loader::Loader(std::vector<std::filesystem::path> searchPath) : searchPath_(std::move(searchPath)) {}
 
-std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Diagnostics& diagnostics) {
+std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Paths paths, Diagnostics& diagnostics) {
   const std::string name = systemName(plugin.filename);
-  const Library* found = library(name, plugin, diagnostics);
+  const Library* found = library(name, plugin, paths, diagnostics);
   if (found == nullptr) return nullptr;
   const SystemEntry* entry = findEntry(*found, plugin.className);
   if (entry != nullptr) return std::unique_ptr<System>(entry->create());
@@ -69,10 +85,17 @@ std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Diagnost
   return nullptr;
 }
 
-const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
+const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Paths paths,
+                               Diagnostics& diagnostics) {
+  const bool isPath = plugin.filename.find('/') != std::string::npos;
+  if (isPath && paths != Paths::kAllowed) {
+    reportPath(plugin, paths, diagnostics);
+    return nullptr;
+  }
   const auto known = libraries_.find(name);
   if (known != libraries_.end()) return known->second.get();
-  const std::optional<std::filesystem::path> file = findLibrary(searchPath_, plugin.filename);
+  const std::optional<std::filesystem::path> file =
+      isPath ? existing(plugin.filename) : findLibrary(searchPath_, plugin.filename);
   if (!file) {
     reportNotFound(name, plugin, diagnostics);
     return nullptr;

@@ -23,12 +23,16 @@ class Loader {
  public:
   explicit Loader(std::vector<std::filesystem::path> searchPath = defaultSearchPath());
 
+  /// Whether the filename of a plugin may be a path, which makes whoever writes it run any code on this machine.
+  enum class Paths { kAllowed, kNeedLeave, kNever };
+
   /// @return A new system, not configured yet; null, with a diagnostic, if there is none: a warning for a system of
   /// Fortress that pongsim lacks and for a plugin of Gazebo Classic or ROS, an error for anything else.
-  std::unique_ptr<System> load(const description::Plugin& plugin, Diagnostics& diagnostics);
+  std::unique_ptr<System> load(const description::Plugin& plugin, Paths paths, Diagnostics& diagnostics);
 
  private:
-  const Library* library(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
+  const Library* library(const std::string& name, const description::Plugin& plugin, Paths paths,
+                         Diagnostics& diagnostics);
   void reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
 
   std::vector<std::filesystem::path> searchPath_;

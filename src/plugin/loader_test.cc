@@ -31,36 +31,58 @@ class LoaderTest : public testing::Test {
 TEST_F(LoaderTest, FindsASystemByAnyOfItsNames) {
   for (const char* filename : {"ignition-gazebo-counting-system", "libpongsim-counting-system.so"}) {
     for (const char* className : {"test::Counting", "test::Counter", ""}) {
-      EXPECT_NE(loader_.load(plugin(filename, className), diagnostics_), nullptr) << filename << " " << className;
+      EXPECT_NE(loader_.load(plugin(filename, className), Loader::Paths::kNeedLeave, diagnostics_), nullptr)
+          << filename << " " << className;
     }
   }
   EXPECT_TRUE(diagnostics_.all().empty());
 }
 
+TEST_F(LoaderTest, OpensAPathOnlyWhereThatIsAllowed) {
+  const std::string file = std::string(PONGSIM_TEST_PLUGINS) + "/libpongsim-counting-system.so";
+  EXPECT_EQ(loader_.load(plugin(file), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
+  EXPECT_EQ(onlyLine(), "world.sdf:12:5: error: plugin '" + file +
+                            "' is a path, which is not allowed here\n"
+                            "  hint: if you trust this world, run it with --allow-plugin-paths; or name the library "
+                            "alone, and its folder in PONGSIM_PLUGIN_PATH");
+  // also one below a folder of systems, and one that could be reached from there
+  for (const std::string& path : {std::string("/proc/self/cwd/libx.so"), std::string("./libpongsim-counting-system.so"),
+                                  std::string("../plugins/libpongsim-counting-system.so")}) {
+    diagnostics_ = Diagnostics();
+    EXPECT_EQ(loader_.load(plugin(path), Loader::Paths::kNever, diagnostics_), nullptr);
+    EXPECT_NE(onlyLine().find("hint: only the world that a run starts with may name paths"), std::string::npos);
+  }
+  diagnostics_ = Diagnostics();
+  EXPECT_NE(loader_.load(plugin(file), Loader::Paths::kAllowed, diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("/nowhere/libx.so"), Loader::Paths::kAllowed, diagnostics_), nullptr);
+  EXPECT_NE(onlyLine().find("plugin '/nowhere/libx.so' was not found"), std::string::npos);
+}
+
 TEST_F(LoaderTest, NamesTheNearestClass) {
-  EXPECT_EQ(loader_.load(plugin("pongsim-counting-system", "test::Countin"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("pongsim-counting-system", "test::Countin"), Loader::Paths::kNeedLeave, diagnostics_),
+            nullptr);
   EXPECT_EQ(onlyLine(),
             "world.sdf:12:5: error: plugin 'pongsim-counting-system' has no class 'test::Countin'\n"
             "  hint: did you mean 'test::Counting'?");
 }
 
 TEST_F(LoaderTest, NamesTheNearestSystem) {
-  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-dif-drive-system"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-dif-drive-system"), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   EXPECT_EQ(onlyLine(),
             "world.sdf:12:5: error: plugin 'ignition-gazebo-dif-drive-system' was not found\n"
             "  hint: did you mean 'diff-drive'?");
 }
 
 TEST_F(LoaderTest, TellsWhereItLookedForWhatIsLikeNothing) {
-  EXPECT_EQ(loader_.load(plugin("libMyVeryOwnPlugin.so"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("libMyVeryOwnPlugin.so"), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   EXPECT_EQ(onlyLine(), std::string("world.sdf:12:5: error: plugin 'libMyVeryOwnPlugin.so' was not found\n"
                                     "  hint: looked in ") +
                             PONGSIM_TEST_PLUGINS + "; PONGSIM_PLUGIN_PATH adds folders");
 }
 
 TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
-  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-buoyancy-system"), diagnostics_), nullptr);
-  EXPECT_EQ(loader_.load(plugin("gz-sim-buoyancy-system"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-buoyancy-system"), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("gz-sim-buoyancy-system"), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   EXPECT_FALSE(diagnostics_.hasErrors());
   EXPECT_EQ(onlyLine(),
             "world.sdf:12:5: warning: the system 'buoyancy' of Gazebo is not supported yet: it is left out");
@@ -71,7 +93,7 @@ TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
       "' is a plugin of Gazebo Classic or ROS: it is left out\n  hint: Fortress can't load it either";
   for (const char* filename : {"libgazebo_ros_control.so", "libgazebo_ros_control.so", "libgazebo_imu_plugin.so",
                                "ign_ros_control-system", "libign_ros_control-system.so"}) {
-    EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
+    EXPECT_EQ(loader_.load(plugin(filename), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   }
   const std::vector<Diagnostic>& all = diagnostics_.all();
   ASSERT_EQ(all.size(), 3U);
@@ -83,7 +105,7 @@ TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
 TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
   for (const char* filename : {"libgz_ros2_control-system.so", "gz_ros2_control-system", "pongsim-ros2-system",
                                "ignition-gazebo-log-system"}) {
-    EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
+    EXPECT_EQ(loader_.load(plugin(filename), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   }
   const std::vector<Diagnostic>& all = diagnostics_.all();
   ASSERT_EQ(all.size(), 3U);
@@ -99,7 +121,7 @@ TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
 }
 
 TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {
-  EXPECT_EQ(loader_.load(plugin("pongsim-ancient-system"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("pongsim-ancient-system"), Loader::Paths::kNeedLeave, diagnostics_), nullptr);
   EXPECT_NE(onlyLine().find("world.sdf:12:5: error: plugin 'pongsim-ancient-system' can't be loaded from "),
             std::string::npos);
 }
@@ -109,9 +131,9 @@ TEST(LoaderSearchPath, TakesTheFirstFolderThatHasTheLibrary) {
   folder.write("libpongsim-counting-system.so", "not a library");
   Diagnostics diagnostics;
   Loader good({PONGSIM_TEST_PLUGINS, folder.path()});
-  EXPECT_NE(good.load(plugin("pongsim-counting-system"), diagnostics), nullptr);
+  EXPECT_NE(good.load(plugin("pongsim-counting-system"), Loader::Paths::kNeedLeave, diagnostics), nullptr);
   Loader bad({folder.path(), PONGSIM_TEST_PLUGINS});
-  EXPECT_EQ(bad.load(plugin("pongsim-counting-system"), diagnostics), nullptr);
+  EXPECT_EQ(bad.load(plugin("pongsim-counting-system"), Loader::Paths::kNeedLeave, diagnostics), nullptr);
 }
 
 TEST(LoaderSearchPath, BeginsWithTheFoldersOfTheEnvironment) {

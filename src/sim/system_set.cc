@@ -5,6 +5,8 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -31,6 +33,18 @@ description::Plugin defaultSceneBroadcaster() {
 std::string inBrackets(const SourcePosition& position) {
   if (!position.file || position.line <= 0) return {};
   return " (" + *position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ")";
+}
+
+bool environmentAllowsPaths() {
+  const char* value = std::getenv("PONGSIM_ALLOW_PLUGIN_PATHS");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+bool isBelow(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
+  const std::filesystem::path above = std::filesystem::weakly_canonical(folder, error);
+  return !error && !folder.empty() && std::ranges::mismatch(above, real).in1 == above.end();
 }
 
 std::string attributeOf(const Element& element, const char* name) {
@@ -86,14 +100,15 @@ SystemSet::~SystemSet() = default;
 void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
                      Diagnostics& diagnostics) {
   loadsPlugins_ = true;
+  if (options.allowPluginPaths || environmentAllowsPaths()) paths_ = plugin::Loader::Paths::kAllowed;
   const std::vector<world::ModelRecord>& models = access_.entities.models();
   if (!models.empty()) lastOfFile_ = models.back().id;
   unloaded_.reserve(models.size());
   loadWorldPlugins(world, isConfigured, options, diagnostics);
-  for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
+  for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, paths_, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
-    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
+    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, paths_, diagnostics);
   }
   collect();
 }
@@ -103,8 +118,8 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
   std::vector<description::Plugin> more = pluginsOf(options.systems);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
   if (!isConfigured && std::ranges::none_of(world.plugins, isSystem)) {
-    add(defaultSceneBroadcaster_, 0, {}, diagnostics);
-    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, diagnostics);
+    add(defaultSceneBroadcaster_, 0, {}, paths_, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, paths_, diagnostics);
     return;
   }
   wantsPhysics_ = false;
@@ -117,7 +132,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
     } else if (name == kUserCommands) {
       Logger("plugins").info("user-commands is part of pongsim: every world has its services");
     } else {
-      add(plugin, i, {}, diagnostics);
+      add(plugin, i, {}, paths_, diagnostics);
     }
   }
   if (!wantsPhysics_ && options.physics) {
@@ -127,26 +142,28 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
-  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, diagnostics);
+  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, paths_, diagnostics);
 }
 
-void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
-  loadOwnPlugins(model, diagnostics);
-  for (world::Slot nested : access_.entities.models()[model].models) loadModelPlugins(nested, diagnostics);
+void SystemSet::loadModelPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics) {
+  loadOwnPlugins(model, paths, diagnostics);
+  for (world::Slot nested : access_.entities.models()[model].models) loadModelPlugins(nested, paths, diagnostics);
 }
 
-void SystemSet::loadOwnPlugins(world::Slot model, Diagnostics& diagnostics) {
+void SystemSet::loadOwnPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics) {
   if (!loadsPlugins_) return;
   const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
-  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, diagnostics);
+  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, paths, diagnostics);
 }
 
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder,
-                    Diagnostics& diagnostics) {
+                    plugin::Loader::Paths paths, Diagnostics& diagnostics) {
+  const std::shared_ptr<const std::string>& file = plugin.sdf.position.file;
+  if (file && isBelow(*file, fuelCache_)) paths = plugin::Loader::Paths::kNever;
   std::unique_ptr<System> system;
   {
     const base::RunningPart running(plugin.filename.c_str(), "while it was loaded");
-    system = loader_.load(plugin, diagnostics);
+    system = loader_.load(plugin, paths, diagnostics);
   }
   if (system == nullptr) return;
 
@@ -260,7 +277,7 @@ void SystemSet::check() const {
 }
 
 void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
-  loadModelPlugins(model, diagnostics);
+  loadModelPlugins(model, plugin::Loader::Paths::kNever, diagnostics);
   collect();
 }
 
@@ -308,7 +325,7 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   collect();
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);
-    if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
+    if (slot != world::kNoSlot) loadOwnPlugins(slot, paths_, diagnostics);
   }
   putInOrder();
   updateWhoRests();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <list>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "assets/places.hh"
 #include "base/hash.hh"
 #include "description/plugin.hh"
 #include "plugin/loader.hh"
@@ -93,14 +95,16 @@ class SystemSet {
   void lookAhead(std::size_t system) const;
   void loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
                         Diagnostics& diagnostics);
-  void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
-  void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
+  void loadModelPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics);
+  void loadOwnPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics);
   /// The parent of a `<plugin>`: a model, an actor, or if neither, the world.
   struct Holder {
     world::Slot model = world::kNoSlot;
     const world::ActorRecord* actor = nullptr;
   };
-  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
+  /// @param paths Whether plugins of its kind may name paths; not if it is from a server.
+  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, plugin::Loader::Paths paths,
+           Diagnostics& diagnostics);
   /// @return Whether it can be used.
   bool start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
              Diagnostics& diagnostics);
@@ -129,6 +133,10 @@ class SystemSet {
   bool wantsPhysics_ = true;
   /// Whether plugins of files are loaded, also those of models inserted later, and not only added systems.
   bool loadsPlugins_ = false;
+  /// For the plugins of the world that the run starts with.
+  plugin::Loader::Paths paths_ = plugin::Loader::Paths::kNeedLeave;
+  /// Where files of Fuel servers are.
+  const std::filesystem::path fuelCache_ = assets::Places::fromEnvironment().fuelCache;
   // The libraries must outlive the systems.
   plugin::Loader loader_;
   /// Models of the file whose systems have ended; both return with a reset.

@@ -53,6 +53,7 @@ struct RunCommandOptions {
   bool hash = false;
   std::optional<std::uint64_t> hashPeriod;
   bool strict = false;
+  bool allowPluginPaths = false;
   bool levels = false;
   /// From extensions.
   RunAdditions additions;
@@ -89,7 +90,8 @@ Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagno
                                     .transport = &transport,
                                     .systems = additions.systems,
                                     .world = options.world,
-                                    .physics = !additions.world};
+                                    .physics = !additions.world,
+                                    .allowPluginPaths = options.allowPluginPaths};
   std::unique_ptr<Simulation> one;
   if (additions.world) {
     const std::optional<std::string> text = printedWorld(*additions.world);
@@ -253,6 +255,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       });
   addFlag("--strict", options->strict,
           "Treat warnings about the file as errors, and exit with code 1 when a system fails");
+  addFlag("--allow-plugin-paths", options->allowPluginPaths,
+          "Load libraries that the file's <plugin>s name by a path; it can then run any code");
   addFlag("--levels", options->levels,
           "Load the contents of a <level> only while a <performer> is near (everything, always)");
   addFlag("--hash", options->hash, "Print a hash of the state's bits at the end");

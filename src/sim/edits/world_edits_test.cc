@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/environment_variable.hh"
 #include "support/running_world.hh"
 #include "support/temp_folder.hh"
 
@@ -14,12 +15,44 @@ namespace {
 
 using test::RunningWorld;
 
+// where the system is
+const test::EnvironmentVariable kFolder("PONGSIM_PLUGIN_PATH", PONGSIM_EDITING_FOLDER);
+
 const std::string kEditor =
-    std::string("<plugin filename='") + PONGSIM_EDITING_SYSTEM + "' name='test::Editing'>" +
+    std::string("<plugin filename='editing' name='test::Editing'>") +
     "<sdf version='1.9'><model name='crumb'><static>true</static><link name='l'/></model></sdf></plugin>";
 
 std::string robot(const std::string& name) {
   return "<model name='" + name + "'><static>true</static><link name='l'/>" + kEditor + "</model>";
+}
+
+TEST(WorldEdits, InsertNoLibraryByItsPath) {
+  const std::string nothing;
+  RunningWorld world(nothing);
+  const std::string file = PONGSIM_EDITING_FOLDER "/libediting.so";
+  for (const char* leave : {"0", "1"}) {
+    const test::EnvironmentVariable allowed("PONGSIM_ALLOW_PLUGIN_PATHS", leave);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(world.simulation().insertText(
+        "<sdf version='1.9'><model name='m'><static>true</static><link name='l'/><plugin filename='" + file +
+            "' name='test::Editing'/></model></sdf>",
+        "m.sdf", {}, diagnostics));
+    ASSERT_FALSE(diagnostics.all().empty());
+    EXPECT_EQ(diagnostics.all()[0].message, "plugin '" + file + "' is a path, which is not allowed here");
+    EXPECT_FALSE(world.simulation().world().model("m"));
+  }
+}
+
+TEST(WorldEdits, AreThoseOfALibraryByItsPathOnlyWithLeave) {
+  const std::string world =
+      RunningWorld::textOf("<plugin filename='" PONGSIM_EDITING_FOLDER "/libediting.so' name='test::Editing'/>");
+  Diagnostics diagnostics;
+  EXPECT_EQ(Simulation::fromText(world, "w.sdf", {}, diagnostics), nullptr);
+  ASSERT_TRUE(diagnostics.hasErrors());
+  EXPECT_NE(diagnostics.all()[0].hint.find("--allow-plugin-paths"), std::string::npos);
+  Diagnostics allowed;
+  Simulation::fromText(world, "w.sdf", {.allowPluginPaths = true}, allowed);
+  for (const Diagnostic& diagnostic : allowed.all()) EXPECT_EQ(diagnostic.message.find("is a path"), std::string::npos);
 }
 
 class WorldEditsTest : public testing::Test {
@@ -220,8 +253,8 @@ TEST_F(WorldEditsOfModels, RemoveTheirOwnModelsInOneStep) {
 
 /// @return What is said of a world whose editor is to read that.
 std::vector<std::string> complaintsAbout(const std::string& sdf) {
-  return RunningWorld::complaintsAbout(std::string("<plugin filename='") + PONGSIM_EDITING_SYSTEM +
-                                       "' name='test::Editing'>" + sdf + "</plugin>");
+  return RunningWorld::complaintsAbout(std::string("<plugin filename='editing") + "' name='test::Editing'>" + sdf +
+                                       "</plugin>");
 }
 
 TEST(WorldEditsRead, SaysWhatIsWrongWithAModel) {
@@ -235,7 +268,7 @@ TEST(WorldEditsRead, SaysWhatIsWrongWithAModel) {
 
 TEST(WorldEditsRead, SaysWhereItIsAndAllElseAsWarnings) {
   Diagnostics diagnostics;
-  EXPECT_NE(Simulation::fromText(RunningWorld::textOf(std::string("\n<plugin filename='") + PONGSIM_EDITING_SYSTEM +
+  EXPECT_NE(Simulation::fromText(RunningWorld::textOf(std::string("\n<plugin filename='editing") +
                                                       "' name='test::Editing'><sdf version='1.9'>\n<model name='m'>"
                                                       "\n<link name='l'><mass>1</mass></link>\n<link name='l'/>"
                                                       "</model></sdf></plugin>"),
