@@ -18,11 +18,11 @@ using nlohmann::json;
 
 constexpr std::string_view kBinaryStart = "glTF";
 // version, length of the file; then length and kind of each chunk
-constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+constexpr std::size_t kGlbHeader = 12, kGlbChunkHeader = 8;
 // RapidJSON, which Assimp uses, parses recursively
 constexpr int kDeepestJson = 200;
 
-std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
+std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (unsigned i = 0; i < 4; ++i) number |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
   return number;
@@ -32,17 +32,17 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
 std::string_view jsonOf(std::string_view file) {
   if (!file.starts_with(kBinaryStart)) return file;
   std::string_view text;
-  for (std::size_t at = kHeader; at < file.size();) {
-    if (file.size() - at < kChunkHeader) break;
-    const std::size_t length = numberAt(file, at);
-    const std::size_t room = file.size() - at - kChunkHeader;
+  for (std::size_t at = kGlbHeader; at < file.size();) {
+    if (file.size() - at < kGlbChunkHeader) break;
+    const std::size_t length = wordAt(file, at);
+    const std::size_t room = file.size() - at - kGlbChunkHeader;
     if (length > room) {
       throw std::runtime_error("a chunk claims " + std::to_string(length) + " bytes, where the file has " +
                                std::to_string(room));
     }
-    if (at == kHeader) text = file.substr(at + kChunkHeader, length);
+    if (at == kGlbHeader) text = file.substr(at + kGlbChunkHeader, length);
     // Assimp takes each chunk to begin at a multiple of four
-    at += kChunkHeader + (length + 3) / 4 * 4;
+    at += kGlbChunkHeader + (length + 3) / 4 * 4;
   }
   return text;
 }
