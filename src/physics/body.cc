@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "description/limits.hh"
 #include "physics/convert.hh"
 #include "physics/gyroscope.hh"
 #include "physics/mass.hh"
@@ -15,7 +16,7 @@ namespace pongsim::physics {
 namespace {
 
 // a robot beyond these has exploded [m], [m/s, rad/s]
-constexpr double kLargestPosition = 1e9;
+using description::kLargestPosition;
 constexpr double kLargestVelocity = 1e9;
 
 // speed that links are limited to [m/s]

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description/color.hh"
+#include "description/limits.hh"
 #include "pongsim/element.hh"
 #include "pongsim/types.hh"
 #include "sdf/context.hh"
@@ -16,7 +17,7 @@
 namespace pongsim::sdf {
 
 /// Limit of the physics for positions [m] and joint angles [rad].
-inline constexpr double kLargestPosition = 1e9;
+using description::kLargestPosition;
 
 /// A pose as written in the file, not resolved yet.
 struct PoseText {

@@ -48,8 +48,8 @@ Pose Actor::pose() const { return world::actorPose(actorAt(*access_, id_), acces
 
 void Actor::move(const Pose& X_WorldActor, std::string_view animation, Time animationTime) {
   const description::Actor& actor = actorAt(*access_, id_);
-  if (!sim::isSound(X_WorldActor)) {
-    access_->refuse("actor '" + actor.name + "' was given a pose that is not finite");
+  if (const char* fault = sim::poseFault(X_WorldActor)) {
+    access_->refuse("actor '" + actor.name + "' was given a pose that " + fault);
     return;
   }
   std::vector<world::ActorState>& actors = access_->state.actors;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "description/limits.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/editor.hh"
 #include "sim/state/joint_reset.hh"
@@ -307,6 +308,7 @@ Vector3 World::gravity() const { return access_->state.gravity; }
 
 Outcome<void> World::setGravity(const Vector3& gravity) {
   if (!gravity.allFinite()) return {"gravity is not finite"};
+  if (gravity.cwiseAbs().maxCoeff() > description::kLargestGravity) return {"gravity is beyond 1e6 m/s^2"};
   sim::Editor(*access_).setGravity(gravity);
   return {};
 }

@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "description/limits.hh"
+
 namespace pongsim::sim {
 
-bool isSound(const Pose& pose) {
-  return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.rotation.norm() > 1e-6;
+const char* poseFault(const Pose& pose) {
+  const bool isFinite =
+      pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.rotation.coeffs().stableNorm() > 1e-6;
+  if (!isFinite || !std::isfinite(pose.rotation.norm())) return "is not finite";
+  if (pose.position.cwiseAbs().maxCoeff() > description::kLargestPosition) return "is not within 1e9 m of the origin";
+  return nullptr;
 }
 
 bool Editor::isFree(std::string_view name) const { return !access_.entities.isTaken(name); }
@@ -92,7 +100,7 @@ void Editor::move(const std::vector<world::Slot>& links, const Pose& X_NewOld, A
 }
 
 Outcome<void> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
-  if (!isSound(X_WorldModel)) return {"the pose is not finite"};
+  if (const char* fault = poseFault(X_WorldModel)) return {std::string("the pose ") + fault};
   const Pose X_WorldNew{X_WorldModel.position, X_WorldModel.rotation.normalized()};
   std::vector<world::Slot> links = access_.entities.allLinks(model);
   std::ranges::sort(links);
@@ -109,7 +117,7 @@ Outcome<void> Editor::setPose(world::Slot model, const Pose& X_WorldModel, After
 }
 
 Outcome<void> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after) {
-  if (!isSound(X_WorldLink)) return {"the pose is not finite"};
+  if (const char* fault = poseFault(X_WorldLink)) return {std::string("the pose ") + fault};
   if (const world::JointRecord* joint = holder({link})) {
     return {"link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
             joint->description->name + "'"};

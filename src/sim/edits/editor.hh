@@ -69,7 +69,7 @@ class Editor {
   Access& access_;
 };
 
-/// @return Whether it is finite and its rotation is not zero.
-bool isSound(const Pose& pose);
+/// @return What is wrong with a pose that somebody asks for, behind its name: "is not finite", or nullptr.
+const char* poseFault(const Pose& pose);
 
 }  // namespace pongsim::sim

@@ -169,6 +169,10 @@ TEST_F(ChangedWorld, MovesALinkThatNoJointHolds) {
   EXPECT_EQ(model("post").setPose(Pose()).error, "model 'post' is held by joint 'root'");
   const Pose nowhere{{0, 0, 0}, Quaternion(0, 0, 0, 0)};
   EXPECT_EQ(model("ball").setPose(nowhere).error, "the pose is not finite");
+  for (const double far : {1.1e9, -1e300}) {
+    const Pose away{{0, far, 0}, Quaternion::Identity()};
+    EXPECT_EQ(model("ball").setPose(away).error, "the pose is not within 1e9 m of the origin");
+  }
 }
 
 TEST_F(ChangedWorld, HoldsTwoLinksTogetherUntilTheyAreDetached) {
@@ -222,6 +226,7 @@ TEST_F(ChangedWorld, FallsAsGravitySays) {
   simulation_->step(100);
   EXPECT_NEAR(model("ball").link("skin")->linearVelocity().z(), 0.2, 1e-9);
   EXPECT_EQ(world().setGravity({0, 0, std::numeric_limits<double>::infinity()}).error, "gravity is not finite");
+  EXPECT_EQ(world().setGravity({0, 0, 1e308}).error, "gravity is beyond 1e6 m/s^2");
   // what comes later falls alike
   EXPECT_TRUE(insert(kBoxModel));
   simulation_->step();

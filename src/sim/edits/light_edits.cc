@@ -67,7 +67,8 @@ Outcome<std::string> insertLight(Access& access, description::Light light, const
   if (options.allowRenaming) light.name = editor.freeName(light.name);
   if (!editor.isFree(light.name)) return {std::nullopt, "there is a '" + light.name + "' in the world already"};
   if (options.pose) light.X_ParentLight = *options.pose;
-  if (!isSound(light.X_ParentLight)) return {std::nullopt, "the light's pose is not finite"};
+  if (const char* fault = poseFault(light.X_ParentLight))
+    return {std::nullopt, std::string("the light's pose ") + fault};
   light.X_ParentLight.rotation.normalize();
   if (const Outcome<void> checked = checkLight(light); !checked) return {std::nullopt, checked.error};
   Outcome<std::string> name{light.name, {}};

@@ -165,8 +165,8 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
     diagnostics.error(position, "there is a '" + model->name + "' in the world already");
   } else if (model->name.find("::") != std::string::npos) {
     diagnostics.error(position, "the name '" + model->name + "' contains '::', which separates names");
-  } else if (!isSound(model->X_ParentModel)) {
-    diagnostics.error(position, "the pose of '" + model->name + "' is not finite");
+  } else if (const char* fault = poseFault(model->X_ParentModel)) {
+    diagnostics.error(position, "the pose of '" + model->name + "' " + fault);
   } else if (const auto error = topicNameError(model->nameSpace); error && !model->nameSpace.empty()) {
     diagnostics.error(position, "the namespace '" + model->nameSpace + "' " + *error);
   }

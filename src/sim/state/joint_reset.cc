@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "description/joint.hh"
+#include "description/limits.hh"
 #include "sim/edits/editor.hh"
 
 namespace pongsim::sim {
@@ -63,12 +66,17 @@ std::string loopError(const world::JointRecord& joint) {
          "' can't be reset: other joints also connect its child to its parent or the world";
 }
 
+std::optional<std::string> valueFault(const world::JointRecord& joint, double value, double largest) {
+  if (std::abs(value) <= largest) return std::nullopt;
+  const std::string fault = std::isfinite(value) ? "too large" : "not finite";
+  return "joint '" + joint.description->name + "' can't be reset to a value that is " + fault;
+}
+
 }  // namespace
 
 Outcome<void> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position) {
   const world::JointRecord& record = access.entities.joints()[joint];
-  if (!std::isfinite(position))
-    return {"joint '" + record.description->name + "' can't be reset to a value that is not finite"};
+  if (auto fault = valueFault(record, position, description::kLargestPosition)) return {*fault};
   const std::vector<world::Slot> links = hangingOn(access.entities, joint);
   if (links.empty()) return {loopError(record)};
   world::JointState& state = access.state.joints[joint];
@@ -90,8 +98,7 @@ Outcome<void> resetJointPosition(Access& access, world::Slot joint, std::size_t 
 
 Outcome<void> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity) {
   const world::JointRecord& record = access.entities.joints()[joint];
-  if (!std::isfinite(velocity))
-    return {"joint '" + record.description->name + "' can't be reset to a value that is not finite"};
+  if (auto fault = valueFault(record, velocity, description::kLargestVelocity)) return {*fault};
   const std::vector<world::Slot> links = hangingOn(access.entities, joint);
   if (links.empty()) return {loopError(record)};
   world::JointState& state = access.state.joints[joint];

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/nearest_word.hh"
+#include "description/limits.hh"
 #include "description/world.hh"
 #include "sdf/schema/value_check.hh"
 #include "sdf/text/values.hh"
@@ -158,10 +159,9 @@ description::PhysicsProfile chosenProfile(const std::vector<description::Physics
 
 Vector3 readGravity(const Element& world, Context& context) {
   // more than on the surface of any star but a neutron star, and far below the limits of the physics
-  constexpr double kMost = 1e6;
   const Vector3 usual = description::World().gravity;
   const Vector3 gravity = readVector(world, "gravity", usual, context);
-  if (gravity.cwiseAbs().maxCoeff() <= kMost) return gravity;
+  if (gravity.cwiseAbs().maxCoeff() <= description::kLargestGravity) return gravity;
   const Element& element = *world.child("gravity");
   context.diagnostics.error(element.position, "<gravity> is '" + quoted(element.text) + "': the limit is 1e6 m/s^2",
                             "on earth it is 0 0 -9.8");
