@@ -107,7 +107,6 @@ struct SensorReadings {
   std::string behind = {};
   /// Full name.
   std::string messageType = {};
-  bool operator==(const SensorReadings&) const = default;
 };
 
 /// A system's description of itself: its place, parameters, topics and services. It is used to read the parameters, for

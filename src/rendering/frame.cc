@@ -33,14 +33,13 @@ Frame::~Frame() {
   if (whole_ != 0) gl_.deleteFramebuffers(1, &whole_);
 }
 
-GLuint Frame::addBuffer(GLenum format, GLenum place, int samples) {
+void Frame::addBuffer(GLenum format, GLenum place, int samples) {
   assert(count_ < 3);
   GLuint& buffer = buffers_[count_++];
   gl_.genRenderbuffers(1, &buffer);
   gl_.bindRenderbuffer(GL_RENDERBUFFER, buffer);
   gl_.renderbufferStorageMultisample(GL_RENDERBUFFER, samples <= 1 ? 0 : samples, format, width_, height_);
   gl_.framebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
-  return buffer;
 }
 
 void Frame::check() const {

@@ -27,7 +27,7 @@ class Frame {
   void read(std::span<float> depths) const;
 
  private:
-  GLuint addBuffer(GLenum format, GLenum place, int samples);
+  void addBuffer(GLenum format, GLenum place, int samples);
   void check() const;
 
   const Gl& gl_;

@@ -7,77 +7,89 @@
 namespace pongsim::rendering {
 
 /// The OpenGL functions in use, of one context. Only call them while it is bound.
-struct Gl {
-  /// @param context Bound.
-  /// @throws std::runtime_error if it lacks one of them.
-  explicit Gl(const Context& context);
+class Gl {
+  /// Converts to a pointer to a function of any type.
+  struct Function {
+    Context::Function address;
+    template <class Pointer>
+    operator Pointer() const {
+      return reinterpret_cast<Pointer>(address);
+    }
+  };
+  Function find(const char* name) const;
+  const Context& context_;
 
-  PFNGLACTIVETEXTUREPROC activeTexture = nullptr;
-  PFNGLATTACHSHADERPROC attachShader = nullptr;
-  PFNGLBINDBUFFERPROC bindBuffer = nullptr;
-  PFNGLBINDBUFFERBASEPROC bindBufferBase = nullptr;
-  PFNGLBINDFRAMEBUFFERPROC bindFramebuffer = nullptr;
-  PFNGLBINDRENDERBUFFERPROC bindRenderbuffer = nullptr;
-  PFNGLBINDTEXTUREPROC bindTexture = nullptr;
-  PFNGLBINDVERTEXARRAYPROC bindVertexArray = nullptr;
-  PFNGLBLENDFUNCPROC blendFunc = nullptr;
-  PFNGLBLITFRAMEBUFFERPROC blitFramebuffer = nullptr;
-  PFNGLBUFFERDATAPROC bufferData = nullptr;
-  PFNGLCHECKFRAMEBUFFERSTATUSPROC checkFramebufferStatus = nullptr;
-  PFNGLCLEARBUFFERFVPROC clearBufferfv = nullptr;
-  PFNGLCLIPCONTROLPROC clipControl = nullptr;
-  PFNGLCOLORMASKPROC colorMask = nullptr;
-  PFNGLCOMPILESHADERPROC compileShader = nullptr;
-  PFNGLCREATEPROGRAMPROC createProgram = nullptr;
-  PFNGLCREATESHADERPROC createShader = nullptr;
-  PFNGLCULLFACEPROC cullFace = nullptr;
-  PFNGLDELETEBUFFERSPROC deleteBuffers = nullptr;
-  PFNGLDELETEFRAMEBUFFERSPROC deleteFramebuffers = nullptr;
-  PFNGLDELETEPROGRAMPROC deleteProgram = nullptr;
-  PFNGLDELETERENDERBUFFERSPROC deleteRenderbuffers = nullptr;
-  PFNGLDELETESHADERPROC deleteShader = nullptr;
-  PFNGLDELETETEXTURESPROC deleteTextures = nullptr;
-  PFNGLDELETEVERTEXARRAYSPROC deleteVertexArrays = nullptr;
-  PFNGLDEPTHFUNCPROC depthFunc = nullptr;
-  PFNGLDEPTHMASKPROC depthMask = nullptr;
-  PFNGLDISABLEPROC disable = nullptr;
-  PFNGLDRAWARRAYSPROC drawArrays = nullptr;
-  PFNGLDRAWBUFFERPROC drawBuffer = nullptr;
-  PFNGLDRAWELEMENTSPROC drawElements = nullptr;
-  PFNGLENABLEPROC enable = nullptr;
-  PFNGLENABLEVERTEXATTRIBARRAYPROC enableVertexAttribArray = nullptr;
-  PFNGLFRAMEBUFFERRENDERBUFFERPROC framebufferRenderbuffer = nullptr;
-  PFNGLFRAMEBUFFERTEXTURELAYERPROC framebufferTextureLayer = nullptr;
-  PFNGLFRONTFACEPROC frontFace = nullptr;
-  PFNGLGENBUFFERSPROC genBuffers = nullptr;
-  PFNGLGENFRAMEBUFFERSPROC genFramebuffers = nullptr;
-  PFNGLGENRENDERBUFFERSPROC genRenderbuffers = nullptr;
-  PFNGLGENTEXTURESPROC genTextures = nullptr;
-  PFNGLGENVERTEXARRAYSPROC genVertexArrays = nullptr;
-  PFNGLGENERATEMIPMAPPROC generateMipmap = nullptr;
-  PFNGLGETINTEGERVPROC getIntegerv = nullptr;
-  PFNGLGETPROGRAMINFOLOGPROC getProgramInfoLog = nullptr;
-  PFNGLGETPROGRAMIVPROC getProgramiv = nullptr;
-  PFNGLGETSHADERINFOLOGPROC getShaderInfoLog = nullptr;
-  PFNGLGETSHADERIVPROC getShaderiv = nullptr;
-  PFNGLLINKPROGRAMPROC linkProgram = nullptr;
-  PFNGLPIXELSTOREIPROC pixelStorei = nullptr;
-  PFNGLREADBUFFERPROC readBuffer = nullptr;
-  PFNGLREADPIXELSPROC readPixels = nullptr;
-  PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC renderbufferStorageMultisample = nullptr;
-  PFNGLSHADERSOURCEPROC shaderSource = nullptr;
-  PFNGLTEXIMAGE2DPROC texImage2D = nullptr;
-  PFNGLTEXIMAGE3DPROC texImage3D = nullptr;
-  PFNGLTEXPARAMETERIPROC texParameteri = nullptr;
-  PFNGLUNIFORM1FPROC uniform1f = nullptr;
-  PFNGLUNIFORM1IPROC uniform1i = nullptr;
-  PFNGLUNIFORM3FVPROC uniform3fv = nullptr;
-  PFNGLUNIFORM4FVPROC uniform4fv = nullptr;
-  PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = nullptr;
-  PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv = nullptr;
-  PFNGLUSEPROGRAMPROC useProgram = nullptr;
-  PFNGLVERTEXATTRIBPOINTERPROC vertexAttribPointer = nullptr;
-  PFNGLVIEWPORTPROC viewport = nullptr;
+ public:
+  /// @param context Bound; must outlive this.
+  /// @throws std::runtime_error if it lacks one of them.
+  explicit Gl(const Context& context) : context_(context) {}
+
+  PFNGLACTIVETEXTUREPROC activeTexture = find("glActiveTexture");
+  PFNGLATTACHSHADERPROC attachShader = find("glAttachShader");
+  PFNGLBINDBUFFERPROC bindBuffer = find("glBindBuffer");
+  PFNGLBINDBUFFERBASEPROC bindBufferBase = find("glBindBufferBase");
+  PFNGLBINDFRAMEBUFFERPROC bindFramebuffer = find("glBindFramebuffer");
+  PFNGLBINDRENDERBUFFERPROC bindRenderbuffer = find("glBindRenderbuffer");
+  PFNGLBINDTEXTUREPROC bindTexture = find("glBindTexture");
+  PFNGLBINDVERTEXARRAYPROC bindVertexArray = find("glBindVertexArray");
+  PFNGLBLENDFUNCPROC blendFunc = find("glBlendFunc");
+  PFNGLBLITFRAMEBUFFERPROC blitFramebuffer = find("glBlitFramebuffer");
+  PFNGLBUFFERDATAPROC bufferData = find("glBufferData");
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC checkFramebufferStatus = find("glCheckFramebufferStatus");
+  PFNGLCLEARBUFFERFVPROC clearBufferfv = find("glClearBufferfv");
+  PFNGLCLIPCONTROLPROC clipControl = find("glClipControl");
+  PFNGLCOLORMASKPROC colorMask = find("glColorMask");
+  PFNGLCOMPILESHADERPROC compileShader = find("glCompileShader");
+  PFNGLCREATEPROGRAMPROC createProgram = find("glCreateProgram");
+  PFNGLCREATESHADERPROC createShader = find("glCreateShader");
+  PFNGLCULLFACEPROC cullFace = find("glCullFace");
+  PFNGLDELETEBUFFERSPROC deleteBuffers = find("glDeleteBuffers");
+  PFNGLDELETEFRAMEBUFFERSPROC deleteFramebuffers = find("glDeleteFramebuffers");
+  PFNGLDELETEPROGRAMPROC deleteProgram = find("glDeleteProgram");
+  PFNGLDELETERENDERBUFFERSPROC deleteRenderbuffers = find("glDeleteRenderbuffers");
+  PFNGLDELETESHADERPROC deleteShader = find("glDeleteShader");
+  PFNGLDELETETEXTURESPROC deleteTextures = find("glDeleteTextures");
+  PFNGLDELETEVERTEXARRAYSPROC deleteVertexArrays = find("glDeleteVertexArrays");
+  PFNGLDEPTHFUNCPROC depthFunc = find("glDepthFunc");
+  PFNGLDEPTHMASKPROC depthMask = find("glDepthMask");
+  PFNGLDISABLEPROC disable = find("glDisable");
+  PFNGLDRAWARRAYSPROC drawArrays = find("glDrawArrays");
+  PFNGLDRAWBUFFERPROC drawBuffer = find("glDrawBuffer");
+  PFNGLDRAWELEMENTSPROC drawElements = find("glDrawElements");
+  PFNGLENABLEPROC enable = find("glEnable");
+  PFNGLENABLEVERTEXATTRIBARRAYPROC enableVertexAttribArray = find("glEnableVertexAttribArray");
+  PFNGLFRAMEBUFFERRENDERBUFFERPROC framebufferRenderbuffer = find("glFramebufferRenderbuffer");
+  PFNGLFRAMEBUFFERTEXTURELAYERPROC framebufferTextureLayer = find("glFramebufferTextureLayer");
+  PFNGLFRONTFACEPROC frontFace = find("glFrontFace");
+  PFNGLGENBUFFERSPROC genBuffers = find("glGenBuffers");
+  PFNGLGENFRAMEBUFFERSPROC genFramebuffers = find("glGenFramebuffers");
+  PFNGLGENRENDERBUFFERSPROC genRenderbuffers = find("glGenRenderbuffers");
+  PFNGLGENTEXTURESPROC genTextures = find("glGenTextures");
+  PFNGLGENVERTEXARRAYSPROC genVertexArrays = find("glGenVertexArrays");
+  PFNGLGENERATEMIPMAPPROC generateMipmap = find("glGenerateMipmap");
+  PFNGLGETINTEGERVPROC getIntegerv = find("glGetIntegerv");
+  PFNGLGETPROGRAMINFOLOGPROC getProgramInfoLog = find("glGetProgramInfoLog");
+  PFNGLGETPROGRAMIVPROC getProgramiv = find("glGetProgramiv");
+  PFNGLGETSHADERINFOLOGPROC getShaderInfoLog = find("glGetShaderInfoLog");
+  PFNGLGETSHADERIVPROC getShaderiv = find("glGetShaderiv");
+  PFNGLLINKPROGRAMPROC linkProgram = find("glLinkProgram");
+  PFNGLPIXELSTOREIPROC pixelStorei = find("glPixelStorei");
+  PFNGLREADBUFFERPROC readBuffer = find("glReadBuffer");
+  PFNGLREADPIXELSPROC readPixels = find("glReadPixels");
+  PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC renderbufferStorageMultisample = find("glRenderbufferStorageMultisample");
+  PFNGLSHADERSOURCEPROC shaderSource = find("glShaderSource");
+  PFNGLTEXIMAGE2DPROC texImage2D = find("glTexImage2D");
+  PFNGLTEXIMAGE3DPROC texImage3D = find("glTexImage3D");
+  PFNGLTEXPARAMETERIPROC texParameteri = find("glTexParameteri");
+  PFNGLUNIFORM1FPROC uniform1f = find("glUniform1f");
+  PFNGLUNIFORM1IPROC uniform1i = find("glUniform1i");
+  PFNGLUNIFORM3FVPROC uniform3fv = find("glUniform3fv");
+  PFNGLUNIFORM4FVPROC uniform4fv = find("glUniform4fv");
+  PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = find("glUniformMatrix3fv");
+  PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv = find("glUniformMatrix4fv");
+  PFNGLUSEPROGRAMPROC useProgram = find("glUseProgram");
+  PFNGLVERTEXATTRIBPOINTERPROC vertexAttribPointer = find("glVertexAttribPointer");
+  PFNGLVIEWPORTPROC viewport = find("glViewport");
 };
 
 }  // namespace pongsim::rendering
