@@ -12,7 +12,7 @@ namespace {
 // More than can be announced.
 constexpr std::chrono::hours kForever{24 * 365 * 140};
 // Fast DDS 2.9 makes nothing of Cyclone's goodbye: it hears another at once.
-constexpr std::chrono::nanoseconds kAtOnce{0};
+constexpr std::chrono::nanoseconds kNoLease{0};
 
 /// @return Whether Fast DDS finds nothing in it of participants that was not found here, and hears of each when it
 /// ends.
@@ -25,7 +25,7 @@ bool isUnderstood(const shared::RtpsMessage& message) {
 
 }  // namespace
 
-DiscoveryGuard::DiscoveryGuard() : leases_({std::chrono::nanoseconds(0), kForever, kAtOnce}) {}
+DiscoveryGuard::DiscoveryGuard() : leases_({std::chrono::nanoseconds(0), kForever, kNoLease}) {}
 
 void DiscoveryGuard::receive(std::span<std::uint8_t> packet, TimePoint now, const HandOn& handOn) {
   const std::optional<shared::RtpsMessage> message = shared::readAnyRtpsMessage(packet);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "pongsim/node.hh"
 #include "web/gz/definitions.hh"
 #include "web/server/access.hh"
 #include "web/world/message_form.hh"
