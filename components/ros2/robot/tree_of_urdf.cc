@@ -11,7 +11,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-Vector3 vectorOf(const Element* element, std::string_view attribute, const Vector3& fallback) {
+Vector3 vectorAttribute(const Element* element, std::string_view attribute, const Vector3& fallback) {
   if (element == nullptr || element->attribute(attribute) == nullptr) return fallback;
   // `Element` reads text, not attributes
   Element text;
@@ -26,8 +26,8 @@ Vector3 vectorOf(const Element* element, std::string_view attribute, const Vecto
 
 Pose originOf(const Element& part) {
   const Element* origin = part.child("origin");
-  const Vector3 rpy = vectorOf(origin, "rpy", Vector3::Zero());
-  return {vectorOf(origin, "xyz", Vector3::Zero()), fromRollPitchYaw(rpy.x(), rpy.y(), rpy.z())};
+  const Vector3 rpy = vectorAttribute(origin, "rpy", Vector3::Zero());
+  return {vectorAttribute(origin, "xyz", Vector3::Zero()), fromRollPitchYaw(rpy.x(), rpy.y(), rpy.z())};
 }
 
 std::string linkOf(const Element& joint, std::string_view end) {
@@ -83,7 +83,7 @@ class UrdfTreeMaker {
                   .motion = motionOf(joint.attributeOr("type", "")),
                   .X_ParentLink = originOf(joint)};
     if (link.motion == Motion::kTurning || link.motion == Motion::kSliding) {
-      link.axis = vectorOf(joint.child("axis"), "xyz", Vector3::UnitX()).normalized();
+      link.axis = vectorAttribute(joint.child("axis"), "xyz", Vector3::UnitX()).normalized();
       link.source = model_.joint(link.joint);
       if (link.source && link.source->axisCount() == 0) link.source.reset();
     }

@@ -43,7 +43,7 @@ std::vector<UrdfShape> meshOf(const std::string& file, const std::string& submes
   return {{.kind = UrdfShape::Kind::kMesh, .size = scale, .address = fileAddress(file)}};
 }
 
-Vector3 vectorOf(const ignition::msgs::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+Vector3 asVector(const ignition::msgs::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 struct ShapesOf {
   const std::optional<MeshFile>& mesh;
@@ -78,7 +78,7 @@ std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, st
   warning.clear();
   switch (geometry.type()) {
     case Kind::BOX:
-      return {boxOf(vectorOf(geometry.box().size()))};
+      return {boxOf(asVector(geometry.box().size()))};
     case Kind::SPHERE:
       return {sphereOf(geometry.sphere().radius())};
     case Kind::CYLINDER:
@@ -86,14 +86,14 @@ std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, st
     case Kind::CAPSULE:
       return capsuleOf(geometry.capsule().radius(), geometry.capsule().length());
     case Kind::ELLIPSOID:
-      return ellipsoidOf(vectorOf(geometry.ellipsoid().radii()), warning);
+      return ellipsoidOf(asVector(geometry.ellipsoid().radii()), warning);
     case Kind::PLANE: {
       UrdfShape sheet = boxOf({geometry.plane().size().x(), geometry.plane().size().y(), kSheet});
-      sheet.X_ShapePart.rotation = rotationBetween(Vector3::UnitZ(), vectorOf(geometry.plane().normal()).normalized());
+      sheet.X_ShapePart.rotation = rotationBetween(Vector3::UnitZ(), asVector(geometry.plane().normal()).normalized());
       return {sheet};
     }
     case Kind::MESH:
-      return meshOf(geometry.mesh().filename(), geometry.mesh().submesh(), vectorOf(geometry.mesh().scale()), warning);
+      return meshOf(geometry.mesh().filename(), geometry.mesh().submesh(), asVector(geometry.mesh().scale()), warning);
     case Kind::EMPTY:
       return {};
     default:
