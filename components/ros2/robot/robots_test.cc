@@ -231,7 +231,7 @@ TEST_F(RobotsTest, AreNotTakenForOnesThatHadTheirPlaceInMemory) {
   ASSERT_TRUE(isHeardSoon({"v/chassis", "base_footprint"}));
 
   // another one of the same name, whose odometry gives the base no other name
-  ASSERT_FALSE(simulation_->remove(*simulation_->world().model("v")));
+  ASSERT_TRUE(simulation_->remove(*simulation_->world().model("v")));
   Diagnostics diagnostics;
   const std::string next = vehicle("v", "<frame_id>odom</frame_id><child_frame_id>v/chassis</child_frame_id>");
   ASSERT_TRUE(simulation_->insertText("<sdf version='1.9'>" + next + "</sdf>", "model.sdf", {}, diagnostics));
