@@ -29,7 +29,7 @@ TEST(DiagnosticLog, IsNotFilledByOneRequest) {
   for (int i = 0; i < 60'000; ++i) diagnostics.warning({}, "odd " + std::to_string(i));
   diagnostics.error({}, "this is wrong");
   testing::internal::CaptureStderr();
-  EXPECT_EQ(logDiagnostics(diagnostics, Logger("run")), "error: this is wrong");
+  EXPECT_EQ(logDiagnostics(diagnostics, Logger("run")), "this is wrong");
   const std::string told = testing::internal::GetCapturedStderr();
   EXPECT_EQ(std::ranges::count(told, '\n'), 21);
   EXPECT_NE(told.find("odd 19\n"), std::string::npos);
