@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "fuzz/require.hh"
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/rmw_dds_common.hh"
 #include "ros2/wire/discovery_guard.hh"
 #include "ros2/wire/first_acknack.hh"
-#include "test/fuzz/require.hh"
 
 namespace pongsim::ros2 {
 namespace {
@@ -61,10 +61,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace pongsim::ros2;
   std::vector<std::uint8_t> packet(data, data + size);
   pongsim::fuzz::require(hastenFirstAcknacks(packet) <= size / 24);
-  DiscoveryGuard().receive(packet, {}, test::requireEndlessLeases);
-  if (size < test::kChoice) return 0;
-  static const auto all = test::readers();
+  DiscoveryGuard().receive(packet, {}, requireEndlessLeases);
+  if (size < kChoice) return 0;
+  static const auto all = readers();
   const std::size_t choice = data[0] | static_cast<std::size_t>(data[1]) << 8;
-  all[choice % all.size()](std::as_bytes(std::span(data, size).subspan(test::kChoice)));
+  all[choice % all.size()](std::as_bytes(std::span(data, size).subspan(kChoice)));
   return 0;
 }

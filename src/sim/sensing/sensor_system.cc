@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "sim/diagnostic_log.hh"
+
 namespace pongsim {
 
 Publisher SensorContext::advertise(std::string_view kind) const {
@@ -82,7 +84,7 @@ void SensorSystem::worldChanged() {
   Diagnostics diagnostics;
   rebuild(diagnostics);
   addNew(diagnostics);
-  for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));
+  sim::logDiagnostics(diagnostics, *log_);
 }
 
 void SensorSystem::postUpdate(const StepInfo& info) {
