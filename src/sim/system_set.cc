@@ -159,7 +159,8 @@ void SystemSet::loadOwnPlugins(world::Slot model, plugin::Loader::Paths paths, D
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder,
                     plugin::Loader::Paths paths, Diagnostics& diagnostics) {
   const std::shared_ptr<const std::string>& file = plugin.sdf.position.file;
-  if (file && isBelow(*file, fuelCache_)) paths = plugin::Loader::Paths::kNever;
+  const bool isPath = plugin.filename.find('/') != std::string::npos;
+  if (isPath && file && isBelow(*file, fuelCache_)) paths = plugin::Loader::Paths::kNever;
   std::unique_ptr<System> system;
   {
     const base::RunningPart running(plugin.filename.c_str(), "while it was loaded");
