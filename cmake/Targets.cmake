@@ -35,6 +35,21 @@ function(pongsim_export target file)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
 endfunction()
 
+# pongsim_find_libraries(TARGET FOLDER [MORE])
+# TARGET, which is installed into FOLDER, looks for pongsim's libraries where they are relative to itself; MORE: other folders
+# to look in. The build tree has the layout of an installation, so these paths are the same from the start. CMake would end
+# other ones with a colon to replace them later, and what follows a colon is the current folder.
+function(pongsim_find_libraries target folder)
+  file(RELATIVE_PATH toLibraries /prefix/${folder} /prefix/${CMAKE_INSTALL_LIBDIR})
+  string(REGEX REPLACE "/$" "" origin "$ORIGIN/${toLibraries}")
+  set(paths ${origin} ${ARGN})
+  set_target_properties(${target} PROPERTIES BUILD_RPATH "${paths}" INSTALL_RPATH "${paths}")
+  # Debian's packages have none: there the build tree's are removed on installation
+  if(NOT CMAKE_SKIP_INSTALL_RPATH)
+    set_target_properties(${target} PROPERTIES BUILD_WITH_INSTALL_RPATH ON)
+  endif()
+endfunction()
+
 # pongsim_plugin(NAME SOURCES ... [USES third-party targets ...])
 # A system's library; it sees only the installed API.
 function(pongsim_plugin name)
@@ -45,8 +60,8 @@ function(pongsim_plugin name)
   pongsim_export(${target} system.map)
   target_precompile_headers(${target} REUSE_FROM pongsim_precompiled)
   set_target_properties(${target} PROPERTIES
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY}
-    INSTALL_RPATH "$ORIGIN/../..")
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY})
+  pongsim_find_libraries(${target} ${CMAKE_INSTALL_LIBDIR}/${PONGSIM_PLUGIN_SUBDIRECTORY})
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${PONGSIM_PLUGIN_SUBDIRECTORY})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGINS ${target})
 endfunction()

@@ -160,6 +160,44 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
   EXPECT_GT(systems, 20);
 }
 
+/// @return The folders in which programs and libraries below some folders have their libraries looked for.
+std::vector<std::string> librarySearchPaths(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> command{"readelf", "--dynamic", "--wide"};
+  for (const auto& folder : folders) {
+    // a build may be without Python
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.is_symlink() || !entry.is_regular_file()) continue;
+      std::string start(4, ' ');
+      std::ifstream(entry.path()).read(start.data(), 4);
+      if (start == "\177ELF") command.push_back(entry.path().string());
+    }
+  }
+  Process readelf(command);
+  EXPECT_EQ(readelf.wait(), 0) << readelf.error();
+  std::vector<std::string> paths;
+  const Regex path("\\((RPATH|RUNPATH)\\).*\\[(.*)\\]");
+  std::istringstream lines(readelf.output());
+  for (std::string line; std::getline(lines, line);) {
+    const Regex::Match found = path.firstIn(line);
+    if (found.empty()) continue;
+    // with the entry behind a colon at the end, which is the current folder
+    std::istringstream entries(found[2] + ":end");
+    for (std::string entry; std::getline(entries, entry, ':');) paths.push_back(entry);
+    paths.pop_back();
+  }
+  return paths;
+}
+
+TEST_F(PackageTest, LooksForLibrariesInFoldersRelativeToItsOwnOnly) {
+  const std::filesystem::path build(PONGSIM_BUILD_FOLDER);
+  const std::vector<std::string> paths = librarySearchPaths(
+      {folder_.path() / "moved", build / "bin", build / PONGSIM_LIBRARY_FOLDER, build / "libexec", build / "python"});
+  // each system's library, installed and in the build tree
+  EXPECT_GT(paths.size(), 100U);
+  for (const std::string& path : paths) EXPECT_TRUE(path.starts_with("$ORIGIN")) << "'" << path << "'";
+}
+
 TEST_F(PackageTest, HasManualAndCompletionOfItsOwn) {
   const auto share = folder_.path() / "moved/share";
   for (const char* file : {"man/man1/pongsim.1", "man/man1/pongsim-run.1", "bash-completion/completions/pongsim",
