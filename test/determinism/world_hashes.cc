@@ -21,6 +21,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
 #include "pongsim/simulation.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -150,8 +151,12 @@ int main(int count, char** arguments) {
     return 2;
   }
   pongsim::setLogLevel(pongsim::LogLevel::kNone);
-  for (int i = 3; i < count; ++i) {
-    pongsim::test::printHashes(arguments[i], std::atoi(arguments[1]), std::strtoull(arguments[2], nullptr, 10));
+  std::vector<std::filesystem::path> worlds;
+  for (int i = 3; i < count; ++i) worlds.push_back(std::filesystem::absolute(arguments[i]));
+  // some write into the current folder
+  const pongsim::test::WorkingFolder folder;
+  for (const std::filesystem::path& world : worlds) {
+    pongsim::test::printHashes(world, std::atoi(arguments[1]), std::strtoull(arguments[2], nullptr, 10));
   }
   return 0;
 }
