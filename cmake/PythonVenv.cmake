@@ -1,5 +1,7 @@
 # A script: creates the virtual environment VENV with REQUIREMENTS, unless it is up to date. If that fails, writes the
 # reason to VENV/why for the tests to report, or fails itself if it is NEEDED.
+# Only files with the hashes in REQUIREMENTS, which tools/pins writes, and none whose build would fetch more.
+set(install ${VENV}/bin/pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: --requirement)
 cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
 set(isOld FALSE)
 foreach(file ${REQUIREMENTS} ${ray})
@@ -13,12 +15,12 @@ endif()
 file(REMOVE_RECURSE ${VENV})
 execute_process(COMMAND ${PYTHON} -m venv ${VENV} RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 if(NOT failed)
-  execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${REQUIREMENTS}
+  execute_process(COMMAND ${install} ${REQUIREMENTS}
                   RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 endif()
 if(NOT failed AND EXISTS ${ray})
   # Ray is large: if it can't be installed, only its own tests are skipped.
-  execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${ray}
+  execute_process(COMMAND ${install} ${ray}
                   RESULT_VARIABLE noRay ERROR_VARIABLE whyNoRay OUTPUT_VARIABLE whyNoRay)
   if(noRay)
     message(WARNING "the tests of Ray are skipped: ${whyNoRay}")
