@@ -153,7 +153,8 @@ std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports
 }
 
 std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports) {
-  std::ifstream table("/proc/net/udp");
+  // /proc/net is the same, but is not there with the option subset=pid (systemd: ProcSubset)
+  std::ifstream table("/proc/self/net/udp");
   if (!table) return std::nullopt;
   std::vector<BoundUdp> sockets;
   std::string line;

@@ -32,7 +32,7 @@ std::optional<bool> isUdpOpen(const BoundUdp& address);
 /// for as many as fit into one answer, some two hundred. Not available in every container and kernel.
 std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports);
 
-/// Like `boundUdpSockets`, with /proc/net/udp. While sockets are opened and closed, some may be missing or listed
+/// Like `boundUdpSockets`, with /proc/self/net/udp. While sockets are opened and closed, some may be missing or listed
 /// twice: the kernel lists all of the machine's page by page, and remembers its position by counting.
 std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports);
 
