@@ -37,7 +37,8 @@ UNLISTED = sorted(path.stem for path in (ROOT / "docs").glob("*.md") if path.ste
 FOLDERS = ["components", "include/pongsim", "plugins", *(f"components/{component}" for component in (
     "fuel", "ign", "log", "python", "ros2", "ros2/test/rclpy_stand_in", "shared", "shared/program", "web"))]
 
-include_patterns = ["README.md", "CHANGELOG.md", "docs/*.md", "plugins/*/*/README.md", *(f"{folder}/README.md" for folder in FOLDERS)]
+include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "plugins/*/*/README.md",
+                    *(f"{folder}/README.md" for folder in FOLDERS)]
 
 
 def toctree(pages, caption=None):
@@ -63,7 +64,7 @@ def prepare(app, page, source):
     if page == root_doc:
         for caption, pages in CHAPTERS.items():
             text += toctree([f"docs/{name}" for name in pages], caption)
-        text += toctree([*(f"docs/{name}" for name in UNLISTED), "CHANGELOG"], "More")
+        text += toctree([*(f"docs/{name}" for name in UNLISTED), "CHANGELOG", "CONTRIBUTING", "SECURITY"], "More")
     if page == "docs/systems":
         systems = sorted((ROOT / "plugins").glob("*/*/README.md"), key=lambda path: path.parent.name)
         text += toctree([f"/{path.relative_to(ROOT).with_suffix('')}" for path in systems])
