@@ -437,6 +437,13 @@ std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) 
 
 world::Slot Engine::slowedDown() const { return parts_->stepper.slowedDown(); }
 
+std::optional<Engine::Crowding> Engine::crowding() const {
+  BroadPhase& broadPhase = parts_->stepper.collisions().broadPhase();
+  if (broadPhase.refusedPairs() == 0) return std::nullopt;
+  const auto kept = static_cast<std::size_t>(broadPhase.getOverlappingPairCache()->getNumOverlappingPairs());
+  return Crowding{kept + broadPhase.refusedPairs(), kept};
+}
+
 bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[joint]->isDriven(); }
 
 void Engine::releaseJoint(world::Slot joint) { parts_->joints[joint]->release(); }

@@ -101,6 +101,15 @@ class Engine {
   /// down to that; `world::kNoSlot` without one.
   world::Slot slowedDown() const;
 
+  /// Pairs of links whose bounding boxes overlap.
+  struct Crowding {
+    std::size_t pairs;
+    /// The rest of them is ignored, and can't touch.
+    std::size_t most;
+  };
+  /// @return Nothing if all pairs are looked at, as usual. The cost and memory of contacts grow with the pairs.
+  std::optional<Crowding> crowding() const;
+
   /// @return Whether an axis of the joint has a nonzero force or velocity target.
   bool isJointDriven(world::Slot joint) const;
 

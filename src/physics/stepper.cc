@@ -120,6 +120,7 @@ void Stepper::step(double dt, world::State& state) {
   dispatchInfo_.m_timeStep = dt;
   dampBodies();
   collisions_.boxes().update(rigidBodies_, dt);
+  collisions_.broadPhase().findRefusedPairs(rigidBodies_);
   collisions_.broadPhase().optimize();
   formNeighbourhoods();
   const std::size_t chunks = (neighbourhoods_.crowds().pairs.size() + kCrowdPairsAtATime - 1) / kCrowdPairsAtATime;

@@ -10,23 +10,41 @@ namespace {
 
 /// Margin of a fat box on all sides [m].
 constexpr double kFatMargin = 0.05;
+/// Limits of the number of pairs. A cube in a grid of cubes has 26 neighbours, so 13 pairs.
+constexpr std::size_t kFewPairs = 80'000;
+constexpr std::size_t kPairsOfABody = 24;
 
 /// Adds a pair for each body whose box overlaps the box of a given body.
 class PairFinder final : public btDbvt::ICollide {
  public:
-  PairFinder(btOverlappingPairCache& pairs, btDbvtProxy& proxy) : pairs_(pairs), proxy_(proxy) {}
+  /// @param most Of more pairs, those of two moving bodies are refused; of twice as many, all.
+  PairFinder(btOverlappingPairCache& pairs, btDbvtProxy& proxy, std::size_t most)
+      : pairs_(pairs), proxy_(proxy), most_(most) {}
 
   void Process(const btDbvtNode* node) override {
     auto* other = static_cast<btDbvtProxy*>(node->data);
     if (other == &proxy_) return;
     // the smaller number first, whichever has moved
     const bool isFirst = proxy_.m_uniqueId < other->m_uniqueId;
-    pairs_.addOverlappingPair(isFirst ? &proxy_ : other, isFirst ? other : &proxy_);
+    btBroadphaseProxy *const first = isFirst ? &proxy_ : other, *const second = isFirst ? other : &proxy_;
+    if (isFull(*other) && pairs_.needsBroadphaseCollision(first, second) && pairs_.findPair(first, second) == nullptr) {
+      ++refused;
+    } else {
+      pairs_.addOverlappingPair(first, second);
+    }
   }
 
+  std::size_t refused = 0;
+
  private:
+  bool isFull(const btDbvtProxy& other) const {
+    const bool isOneFixed = proxy_.stage == BroadPhase::STAGECOUNT || other.stage == BroadPhase::STAGECOUNT;
+    return static_cast<std::size_t>(pairs_.getNumOverlappingPairs()) >= (isOneFixed ? 2 * most_ : most_);
+  }
+
   btOverlappingPairCache& pairs_;
   btDbvtProxy& proxy_;
+  const std::size_t most_;
 };
 
 }  // namespace
@@ -89,9 +107,24 @@ void BroadPhase::put(btDbvtProxy& proxy, btDbvtVolume volume) {
 void BroadPhase::findPairs(btBroadphaseProxy& absolute) {
   auto& proxy = static_cast<btDbvtProxy&>(absolute);
   const int before = m_paircache->getNumOverlappingPairs();
-  PairFinder finder(*m_paircache, proxy);
+  PairFinder finder(*m_paircache, proxy, mostPairs());
   for (const btDbvt& set : m_sets) set.collideTV(set.m_root, proxy.leaf->volume, finder);
   haveNewPairs_ = haveNewPairs_ || m_paircache->getNumOverlappingPairs() != before;
+  refused_ += finder.refused;
+  isOneMissing_ = isOneMissing_ || finder.refused > 0;
+}
+
+std::size_t BroadPhase::mostPairs() const {
+  return kFewPairs + kPairsOfABody * static_cast<std::size_t>(m_sets[DYNAMIC_SET].m_leaves);
+}
+
+void BroadPhase::findRefusedPairs(std::span<btRigidBody* const> bodies) {
+  // not for each pair that goes
+  if (!isOneMissing_ || 4 * static_cast<std::size_t>(m_paircache->getNumOverlappingPairs()) > 3 * mostPairs()) return;
+  isOneMissing_ = false;
+  for (btRigidBody* body : bodies) {
+    if (body->getBroadphaseHandle() != nullptr) findPairs(*body->getBroadphaseHandle());
+  }
 }
 
 bool BroadPhase::fatAabbsOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {

@@ -2,7 +2,10 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "physics/contacts/tree_balance.hh"
@@ -14,6 +17,9 @@ namespace pongsim::physics {
 /// most bodies only need a check, which several threads can do at once.
 ///
 /// A pair exists while two fat boxes overlap. The caller that goes through the pairs removes the others.
+///
+/// Bodies inside one another have a number of pairs that is quadratic in theirs, at 5 KB each with contacts. So beyond
+/// a number that is linear in that of moving bodies, pairs are refused.
 class BroadPhase final : public btDbvtBroadphase {
  public:
   /// Adds an object, and finds its pairs.
@@ -50,6 +56,13 @@ class BroadPhase final : public btDbvtBroadphase {
   /// @return Whether pairs have come since this was asked last.
   bool takeNewPairs() { return std::exchange(haveNewPairs_, false); }
 
+  /// @return How many pairs of moving bodies there may be; with others, there may be twice as many.
+  std::size_t mostPairs() const;
+  /// @return How many pairs were refused, those found again counted again.
+  std::size_t refusedPairs() const { return refused_; }
+  /// Finds the pairs of these bodies again if some were refused and there is room now.
+  void findRefusedPairs(std::span<btRigidBody* const> bodies);
+
   /// @return Whether the current bounding boxes overlap.
   static bool aabbsOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
     return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
@@ -63,6 +76,8 @@ class BroadPhase final : public btDbvtBroadphase {
 
   TreeBalance balance_;
   bool haveNewPairs_ = false;
+  std::size_t refused_ = 0;
+  bool isOneMissing_ = false;
 };
 
 }  // namespace pongsim::physics

@@ -4,6 +4,8 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace pongsim::physics {
@@ -99,6 +101,46 @@ TEST(BroadPhase, RemovesThePairsOfSomeBodiesOrOfAll) {
   EXPECT_TRUE(row.isPair(a, d));
   row.broadPhase.removePairs([](const btBroadphaseProxy&) { return true; }, dispatcher);
   EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
+}
+
+TEST(BroadPhase, RefusesPairsIfThereAreFarMoreThanBodies) {
+  Row row;
+  const auto pairs = [&] {
+    return static_cast<std::size_t>(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs());
+  };
+  for (int i = 0; i < 400; ++i) row.add(0);
+  EXPECT_EQ(pairs(), 400U * 399 / 2);
+  EXPECT_EQ(row.broadPhase.refusedPairs(), 0U);
+  for (int i = 400; i < 1000; ++i) row.add(0);
+  EXPECT_EQ(pairs() + row.broadPhase.refusedPairs(), 1000U * 999 / 2);
+  EXPECT_LE(pairs(), row.broadPhase.mostPairs());
+  EXPECT_LT(row.broadPhase.mostPairs(), 110'000U);
+  // the ground holds all
+  btBroadphaseProxy& ground = row.add(0, false);
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(row.isPair(*row.proxies[static_cast<std::size_t>(i)], ground)) << i;
+}
+
+TEST(BroadPhase, FindsRefusedPairsWhenThereIsRoom) {
+  Row row;
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  std::vector<btRigidBody*> all;
+  for (int i = 0; i < 500; ++i) {
+    bodies.push_back(std::make_unique<btRigidBody>(1, nullptr, nullptr));
+    all.push_back(bodies.back().get());
+    all.back()->setBroadphaseHandle(&row.add(0));
+  }
+  EXPECT_GT(row.broadPhase.refusedPairs(), 0U);
+  row.broadPhase.findRefusedPairs(all);
+  const auto isOld = [&](const btBroadphaseProxy& each) { return each.m_uniqueId <= 250; };
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  row.broadPhase.removePairs(isOld, dispatcher);
+  for (std::size_t i = 0; i < 250; ++i) {
+    const double x = 10 * static_cast<double>(i) + 10;
+    row.broadPhase.setAabb(row.proxies[i], Row::low(x), Row::high(x), &dispatcher);
+  }
+  row.broadPhase.findRefusedPairs(all);
+  EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 250 * 249 / 2);
 }
 
 TEST(BroadPhase, PutsWhoseNumberIsSmallerFirst) {

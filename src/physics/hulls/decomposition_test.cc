@@ -15,7 +15,7 @@ using test::boxBetween;
 
 std::vector<PieceCorners> piecesOf(const description::TriangleMesh& mesh, std::size_t most = 64,
                                    double standOff = 0.005) {
-  return decompose(makeChain(mesh, {1, 1, 1}, true), {most, standOff});
+  return decompose(makeChain(mesh, {1, 1, 1}, true), {most, standOff}).pieces;
 }
 
 double volumeOf(const std::vector<PieceCorners>& pieces) {
@@ -52,7 +52,7 @@ TEST(Decomposition, LeavesWhatIsConvexInOnePiece) {
     dented.triangles.push_back({a, b, 8});
   }
   EXPECT_EQ(piecesOf(dented).size(), 1U);
-  EXPECT_TRUE(decompose(TriangleChain(), {}).empty());
+  EXPECT_TRUE(decompose(TriangleChain(), {}).pieces.empty());
 }
 
 TEST(Decomposition, CutsAnglesExactly) {
@@ -121,7 +121,7 @@ TEST(Decomposition, HoldsAllPointsOfTheMesh) {
 TEST(Decomposition, OfASheetIsThin) {
   description::TriangleMesh box = boxBetween({0, 0, 0}, {1, 1, 1});
   box.triangles.resize(10);
-  const std::vector<PieceCorners> sides = decompose(makeChain(box, {1, 1, 1}, false), {64, 0.005});
+  const std::vector<PieceCorners> sides = decompose(makeChain(box, {1, 1, 1}, false), {64, 0.005}).pieces;
   EXPECT_EQ(sides.size(), 5U);
   EXPECT_NEAR(volumeOf(sides), 0, 1e-6);
 }
@@ -145,7 +145,7 @@ TEST(Decomposition, EndsWithAnything) {
     std::uniform_int_distribution<std::uint32_t> corner(0, count - 1);
     for (int i = 0; i < 4 * round + 1; ++i) soup.triangles.push_back({corner(random), corner(random), corner(random)});
     for (const bool closesAll : {false, true}) {
-      const std::vector<PieceCorners> pieces = decompose(makeChain(soup, {1, 1, 1}, closesAll), {16, 0.005});
+      const std::vector<PieceCorners> pieces = decompose(makeChain(soup, {1, 1, 1}, closesAll), {16, 0.005}).pieces;
       EXPECT_LE(pieces.size(), 16U);
       for (const PieceCorners& piece : pieces) {
         EXPECT_FALSE(piece.empty());

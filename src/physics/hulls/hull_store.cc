@@ -10,13 +10,13 @@
 #include <variant>
 
 #include "base/hash.hh"
-#include "shared/threads/workers.hh"
 #include "physics/hulls/decomposition.hh"
 #include "physics/hulls/hull_code.hh"
 #include "physics/hulls/triangle_chain.hh"
 #include "physics/shapes/margin.hh"
 #include "pongsim/log.hh"
 #include "pongsim/math.hh"
+#include "shared/threads/workers.hh"
 
 namespace pongsim::physics {
 
@@ -84,21 +84,29 @@ bool fits(const std::vector<Hull>& hulls, const Eigen::AlignedBox3d& box) {
   return true;
 }
 
-std::vector<Hull> makeHulls(const HullRequest& request, const std::vector<Vector3>& points) {
+struct Hulls {
+  std::vector<Hull> all;
+  /// Whether the mesh has as many pieces as it needs.
+  bool areComplete = true;
+};
+
+Hulls makeHulls(const HullRequest& request, const std::vector<Vector3>& points) {
   const Eigen::AlignedBox3d box = boxOf(points);
   // larger values make no sense for a shape
   constexpr double kLargest = 1e9;
   if (request.mostPieces == 1 || !(box.min().cwiseAbs().maxCoeff() + box.max().cwiseAbs().maxCoeff() < kLargest)) {
-    return {makeHull(points)};
+    return {{makeHull(points)}};
   }
   TriangleChain chain = makeChain(*request.mesh, request.scale, request.fillsOpen);
   coarsen(chain, kMostTriangles);
-  const std::vector<PieceCorners> pieces = decompose(chain, {request.mostPieces, request.standOff});
-  if (pieces.size() < 2) return {makeHull(points)};
-  std::vector<Hull> hulls;
-  for (const PieceCorners& piece : pieces) {
+  // large triangles in disorder do not become fewer
+  if (chain.triangles.size() > kMostTriangles) return {{makeHull(points)}, false};
+  const Decomposition made = decompose(chain, {request.mostPieces, request.standOff});
+  if (made.pieces.size() < 2) return {{makeHull(points)}, made.isComplete};
+  Hulls hulls{{}, made.isComplete};
+  for (const PieceCorners& piece : made.pieces) {
     const double thickness = marginFor(box.sizes().maxCoeff() / 2);
-    hulls.push_back(chain.isClosed ? makeHull(piece) : makeSheet(piece, thickness));
+    hulls.all.push_back(chain.isClosed ? makeHull(piece) : makeSheet(piece, thickness));
   }
   return hulls;
 }
@@ -176,15 +184,22 @@ std::vector<Hull> HullStore::fetch(const HullRequest& request) const {
     }
   }
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Hull> hulls = makeHulls(request, points);
+  Hulls hulls = makeHulls(request, points);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   char text[32];
   std::snprintf(text, sizeof text, ", computed in %.2f s", taken.count());
-  const std::string sentence = sentenceOf(request, hulls.size()) + text;
+  const std::string sentence = sentenceOf(request, hulls.all.size()) + text;
+  if (!hulls.areComplete) {
+    // not cached, so that each run says it
+    logger().warning(
+        sentenceOf(request, hulls.all.size()) +
+        ", and so not as its real shape: its triangles are in such disorder that more pieces take too long");
+    return std::move(hulls.all);
+  }
   // not worth telling if it was quick and gave one piece
-  hulls.size() > 1 ? logger().info(sentence) : logger().debug(sentence);
-  if (isCached) keep(name, hulls);
-  return hulls;
+  hulls.all.size() > 1 ? logger().info(sentence) : logger().debug(sentence);
+  if (isCached) keep(name, hulls.all);
+  return std::move(hulls.all);
 }
 
 void HullStore::keep(const std::string& name, const std::vector<Hull>& hulls) const {

@@ -4,11 +4,14 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
 
+#include "base/hash.hh"
 #include "physics/motion.hh"
 #include "pongsim/math.hh"
 
@@ -19,7 +22,12 @@ namespace {
 using Corners = TriangleEdges::Corners;
 
 // corners closer than a tenth of a millimetre are the same, squared; likewise for areas
-constexpr double kSamePlace = 1e-4 * 1e-4;
+constexpr double kSameDistance = 1e-4;
+constexpr double kSamePlace = kSameDistance * kSameDistance;
+// edge of the cells in which equal corners are looked for [m]
+constexpr double kCell = 1e-3;
+// of more triangles at one edge only the last ones are compared: they form no surface, and the cost stays n log n
+constexpr std::ptrdiff_t kMostAtEdge = 256;
 // squared sine of the angle below which a surface is flat
 constexpr double kFlat = 1e-4;
 // a contact further from an edge [m] does not belong to it
@@ -29,7 +37,7 @@ btVector3 normalOf(const btVector3& a, const btVector3& b, const btVector3& c) {
   return (b - a).cross(c - a).normalized();
 }
 
-double areaSquared(const btVector3* corners) {
+double areaSquared(const Corners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).length2();
 }
 
@@ -53,7 +61,7 @@ struct SharedCorners {
   std::array<std::size_t, 2> others;
 
   /// @return Nothing unless there are exactly two.
-  static std::optional<SharedCorners> of(const Corners& own, const btVector3* others) {
+  static std::optional<SharedCorners> of(const Corners& own, const Corners& others) {
     SharedCorners shared{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -64,7 +72,7 @@ struct SharedCorners {
         shared.others[count++] = j;
       }
     }
-    if (count != 2) return std::nullopt;
+    if (count != 2 || shared.own[0] == shared.own[1] || shared.others[0] == shared.others[1]) return std::nullopt;
     // keep the order around the triangle
     if (shared.own[0] == 0 && shared.own[1] == 2) {
       std::swap(shared.own[0], shared.own[1]);
@@ -76,50 +84,137 @@ struct SharedCorners {
 
 }  // namespace
 
-/// Called with every triangle that may be adjacent to a given one.
-class TriangleEdges::Connector final : public btTriangleCallback {
+/// The triangles' edges by the cells of their ends.
+class TriangleEdges::Index {
  public:
-  Connector(const Corners& corners, int index, Edges& edges) : corners_(corners), index_(index), edges_(edges) {}
-
-  void processTriangle(btVector3* others, int /*part*/, int index) override {
-    if (index == index_ || areaSquared(others) < kSamePlace || areaSquared(corners_.data()) < kSamePlace) return;
-    const auto shared = SharedCorners::of(corners_, others);
-    if (!shared) return;
-    const auto& [own, theirs] = *shared;
-    const std::size_t third = 3 - own[0] - own[1], theirThird = 3 - theirs[0] - theirs[1];
-    const btVector3 normal = normalOf(corners_[0], corners_[1], corners_[2]);
-    const btVector3 beyond = normalOf(others[theirs[1]], others[theirs[0]], others[theirThird]);
-    const btVector3 edge = (corners_[own[1]] - corners_[own[0]]).normalized();
-    const btVector3 side = inwards(edge, normal, corners_[third] - corners_[own[0]]);
-    const btVector3 theirSide = inwards(edge, beyond, others[theirThird] - others[theirs[0]]);
-    const btVector3 axis = side.cross(theirSide);
-    Edge found{0, false, beyond};
-    if (axis.length2() >= kFlat) {
-      const btVector3 square = axis.normalized().cross(side).normalized();
-      const double angle = std::numbers::pi - math::atan2(theirSide.dot(square), theirSide.dot(side));
-      found.isConvex = normal.dot(theirSide) < 0;
-      found.angle = found.isConvex ? -angle : angle;
+  /// @param order The triangles' numbers; of several at one edge the last one in this order counts.
+  Index(const std::vector<Corners>& triangles, const std::vector<std::uint32_t>& order) : triangles_(triangles) {
+    entries_.reserve(3 * triangles.size());
+    for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
+      const Corners& corners = triangles[order[rank]];
+      if (areaSquared(corners) < kSamePlace) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const btVector3 ends[2] = {corners[i], corners[(i + 1) % 3]};
+        entries_.push_back({keyOf(cellOf(ends[0]), cellOf(ends[1])), rank, order[rank]});
+      }
     }
-    // the corner that is not shared tells which edge it is
-    edges_[(third + 1) % 3] = found;
+    std::ranges::sort(entries_,
+                      [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.rank < b.rank; });
+  }
+
+  /// @return What lies beyond an edge of a triangle.
+  std::optional<Edge> beyond(std::uint32_t triangle, std::size_t edge) const {
+    const Corners& corners = triangles_[triangle];
+    if (areaSquared(corners) < kSamePlace) return std::nullopt;
+    Found last;
+    for (const btVector3& from : cellsNear(corners[edge])) {
+      for (const btVector3& to : cellsNear(corners[(edge + 1) % 3])) lookIn(keyOf(from, to), triangle, edge, last);
+    }
+    return last.edge;
   }
 
  private:
-  const Corners& corners_;
-  int index_;
-  Edges& edges_;
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t rank;
+    std::uint32_t triangle;
+  };
+  struct Found {
+    std::optional<Edge> edge = std::nullopt;
+    std::uint32_t rank = 0;
+  };
+
+  void lookIn(std::uint64_t key, std::uint32_t triangle, std::size_t edge, Found& last) const {
+    const auto [begin, end] = std::ranges::equal_range(entries_, key, {}, &Entry::key);
+    for (auto entry = end; entry != begin && end - entry < kMostAtEdge;) {
+      --entry;
+      if (entry->triangle == triangle) continue;
+      if (last.edge && entry->rank <= last.rank) return;
+      const auto shared = SharedCorners::of(triangles_[triangle], triangles_[entry->triangle]);
+      // the corner that is not shared tells which edge it is
+      if (!shared || (4 - shared->own[0] - shared->own[1]) % 3 != edge) continue;
+      last = {bendAt(triangles_[triangle], triangles_[entry->triangle], *shared), entry->rank};
+      return;
+    }
+  }
+
+  static Edge bendAt(const Corners& corners, const Corners& others, const SharedCorners& shared) {
+    const auto& [own, theirs] = shared;
+    const std::size_t third = 3 - own[0] - own[1], theirThird = 3 - theirs[0] - theirs[1];
+    const btVector3 normal = normalOf(corners[0], corners[1], corners[2]);
+    const btVector3 beyond = normalOf(others[theirs[1]], others[theirs[0]], others[theirThird]);
+    const btVector3 edge = (corners[own[1]] - corners[own[0]]).normalized();
+    const btVector3 side = inwards(edge, normal, corners[third] - corners[own[0]]);
+    const btVector3 theirSide = inwards(edge, beyond, others[theirThird] - others[theirs[0]]);
+    const btVector3 axis = side.cross(theirSide);
+    Edge found{0, false, beyond};
+    if (axis.length2() < kFlat) return found;
+    const btVector3 square = axis.normalized().cross(side).normalized();
+    const double angle = std::numbers::pi - math::atan2(theirSide.dot(square), theirSide.dot(side));
+    found.isConvex = normal.dot(theirSide) < 0;
+    found.angle = found.isConvex ? -angle : angle;
+    return found;
+  }
+
+  // shifted: corners often lie at whole millimetres
+  static btVector3 cellOf(const btVector3& point) {
+    constexpr double kShift = 0.37;
+    return {std::floor(point.x() / kCell + kShift), std::floor(point.y() / kCell + kShift),
+            std::floor(point.z() / kCell + kShift)};
+  }
+
+  /// @return The cells, 1 to 8, in which the same corner of another triangle may be.
+  static std::vector<btVector3> cellsNear(const btVector3& point) {
+    const btVector3 reach(kSameDistance, kSameDistance, kSameDistance);
+    const btVector3 lowest = cellOf(point - reach), highest = cellOf(point + reach);
+    std::vector<btVector3> cells{lowest};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (lowest[axis] == highest[axis]) continue;
+      for (std::size_t i = 0, count = cells.size(); i < count; ++i) {
+        btVector3 cell = cells[i];
+        cell[axis] = highest[axis];
+        cells.push_back(cell);
+      }
+    }
+    return cells;
+  }
+
+  /// The same in both directions.
+  static std::uint64_t keyOf(const btVector3& from, const btVector3& to) { return keyOf(from) + keyOf(to); }
+  static std::uint64_t keyOf(const btVector3& cell) {
+    base::Hash hash;
+    for (int axis = 0; axis < 3; ++axis) hash.add(cell[axis]);
+    return hash.value();
+  }
+
+  const std::vector<Corners>& triangles_;
+  std::vector<Entry> entries_;
 };
+
+namespace {
+
+/// Bullet's order of the triangles.
+std::vector<std::uint32_t> orderIn(const btBvhTriangleMeshShape& shape) {
+  struct Order final : btTriangleCallback {
+    void processTriangle(btVector3* /*corners*/, int /*part*/, int index) override {
+      numbers.push_back(static_cast<std::uint32_t>(index));
+    }
+    std::vector<std::uint32_t> numbers;
+  };
+  Order order;
+  btVector3 lowest, highest;
+  shape.getAabb(btTransform::getIdentity(), lowest, highest);
+  shape.processAllTriangles(&order, lowest, highest);
+  return order.numbers;
+}
+
+}  // namespace
 
 void TriangleEdges::connect(btBvhTriangleMeshShape& shape, const std::vector<Corners>& triangles) {
   edges_.resize(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    btVector3 lowest = triangles[i][0], highest = lowest;
-    for (const btVector3& corner : triangles[i]) {
-      lowest.setMin(corner);
-      highest.setMax(corner);
-    }
-    Connector connector(triangles[i], static_cast<int>(i), edges_[i]);
-    shape.processAllTriangles(&connector, lowest, highest);
+  const Index index(triangles, orderIn(shape));
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t edge = 0; edge < 3; ++edge) edges_[i][edge] = index.beyond(i, edge);
   }
   shape.setTriangleInfoMap(this);
 }

@@ -36,7 +36,7 @@ class TriangleEdges final : public btTriangleInfoMap {
   };
   /// Edges from the first corner to the second, to the third, and back; empty where no triangle is adjacent.
   using Edges = std::array<std::optional<Edge>, 3>;
-  class Connector;
+  class Index;
 
   std::vector<Edges> edges_;
 };

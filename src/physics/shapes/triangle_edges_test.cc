@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <ctime>
 #include <optional>
 #include <vector>
 
@@ -98,6 +99,38 @@ TEST(TriangleEdges, TurnNormalsAsBulletDoes) {
     }
     EXPECT_GT(turned, 5'000) << hills;
   }
+}
+
+TEST(TriangleEdges, AreFoundInSecondsAmongTrianglesThatAllOverlap) {
+  Random random(5, "heap");
+  btTriangleMesh mesh;
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 100'000; ++i) {
+    Corners corners;
+    for (btVector3& corner : corners) corner = {random.uniform(), random.uniform(), random.uniform()};
+    mesh.addTriangle(corners[0], corners[1], corners[2]);
+    triangles.push_back(corners);
+  }
+  btBvhTriangleMeshShape shape(&mesh, true);
+  TriangleEdges edges;
+  const std::clock_t begin = std::clock();
+  edges.connect(shape, triangles);
+  // comparing each with each takes minutes
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
+}
+
+TEST(TriangleEdges, AreFoundInSecondsAmongTrianglesAtOneEdge) {
+  btTriangleMesh mesh;
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 50'000; ++i) {
+    triangles.push_back({btVector3(0, 0, 0), btVector3(0, 0, 1), btVector3(1, 1e-5 * (i / 2), 0.5)});
+    mesh.addTriangle(triangles.back()[0], triangles.back()[1], triangles.back()[2]);
+  }
+  btBvhTriangleMeshShape shape(&mesh, true);
+  TriangleEdges edges;
+  const std::clock_t begin = std::clock();
+  edges.connect(shape, triangles);
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
 }
 
 }  // namespace

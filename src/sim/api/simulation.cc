@@ -107,6 +107,8 @@ struct Simulation::Parts {
   const bool wantsPhysics;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
+  /// Whether it was said that too many links overlap.
+  bool isCrowded = false;
 };
 
 std::unique_ptr<Simulation> Simulation::Parts::makeOne(sdf::Root root, const SimulationOptions& options,
@@ -194,6 +196,12 @@ void Simulation::stepPaused() {
 void Simulation::Parts::stepEngine(Time dt) {
   sim::Editor(access).cutPower();
   access.engine.step(dt, access.state);
+  if (const auto crowding = access.engine.crowding(); crowding && !std::exchange(isCrowded, true)) {
+    Logger("physics").warning(std::to_string(crowding->pairs) +
+                              " pairs of links are inside one another or near it, too "
+                              "many for the memory: " +
+                              std::to_string(crowding->pairs - crowding->most) + " of them pass through each other");
+  }
   const world::Slot link = access.engine.slowedDown();
   if (link == world::kNoSlot || !slowedDown.insert(access.entities.links()[link].id).second) return;
   const world::LinkRecord& record = access.entities.links()[link];
