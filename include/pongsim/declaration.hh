@@ -141,6 +141,10 @@ class PONGSIM_API Declaration {
   /// Allows several systems of this kind to publish on one topic; otherwise that is a warning.
   void sharesTopics() { sharesTopics_ = true; }
 
+  /// Says that the system reads or writes files that its parameters or the world name. Then it is left out of models
+  /// and worlds from outside: see `InsertOptions::isFromOutside`.
+  void usesFiles() { usesFiles_ = true; }
+
   void publishes(std::string topic, std::string type, std::string text);
   void subscribes(std::string topic, std::string type, std::string text);
   void serves(std::string service, std::string requestType, std::string replyType, std::string text);
@@ -153,6 +157,7 @@ class PONGSIM_API Declaration {
   Place place() const { return place_; }
   const std::deque<Parameter>& parameters() const { return parameters_; }
   bool topicsAreShared() const { return sharesTopics_; }
+  bool hasFiles() const { return usesFiles_; }
   const std::vector<Endpoint>& endpoints() const { return endpoints_; }
   const std::vector<SensorReadings>& readings() const { return readings_; }
 
@@ -167,6 +172,7 @@ class PONGSIM_API Declaration {
   std::string text_;
   Place place_ = Place::kAnywhere;
   bool sharesTopics_ = false;
+  bool usesFiles_ = false;
   // references to its elements are given away
   std::deque<Parameter> parameters_;
   std::vector<Endpoint> endpoints_;

@@ -19,6 +19,10 @@ struct InsertOptions {
   /// Prefix, such as "/robot1", of all topics and services of the model's systems and sensors, including absolute
   /// names. Empty: none. No effect on a light.
   std::string nameSpace = {};
+  /// Whether somebody outside this program has asked for it, such as the caller of a service. Then the model, and what
+  /// its systems insert, finds only files in the world's folder, in the resource folders that were set when the world
+  /// was loaded, and in the Fuel cache, and its cameras save no images.
+  bool isFromOutside = false;
 };
 
 }  // namespace pongsim

@@ -197,9 +197,12 @@ class PONGSIM_API Simulation {
   static constexpr Time kLongestStep = std::chrono::seconds(1);
 
   /// Adds a folder to search for inserted models and their files, after the existing ones. Only for this simulation.
+  /// (It does not become one that models from outside may read: `InsertOptions::isFromOutside`.)
   Outcome<void> addResourceFolder(const std::filesystem::path& folder);
   /// @return The folders that are searched, in this order.
   std::vector<std::filesystem::path> resourceFolders() const;
+  /// @return Whether what comes from outside may read this file or folder: see `InsertOptions::isFromOutside`.
+  bool isInReach(const std::filesystem::path& path) const;
   /// @return The file or folder of an address such as "model://box"; nothing if it was not found.
   std::optional<std::filesystem::path> resolve(const std::string& address) const;
 

@@ -64,13 +64,16 @@ class PONGSIM_API WorldEdits {
   /// in `configure`.
   /// @throws Error on errors. Warnings are added to `diagnostics`.
   ModelTemplate read(const Element& sdf, Diagnostics& diagnostics) const;
-  /// Like `read`, from a text, which may be a URDF robot; `name` is used in messages.
+  /// Like `read`, from a text, which may be a URDF robot; `name` is used in messages. For models from outside: see
+  /// `InsertOptions::isFromOutside`.
   ModelTemplate readText(std::string_view text, std::string_view name, Diagnostics& diagnostics) const;
   /// The same from a file, or from a model folder (with `model.config`).
   ModelTemplate readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
 
   /// @return The folders searched for models and their files, in this order.
   std::vector<std::filesystem::path> resourceFolders() const;
+  /// @return Whether what comes from outside may read this file or folder: see `InsertOptions::isFromOutside`.
+  bool isInReach(const std::filesystem::path& path) const;
   /// @return The file or folder of an address such as "model://box"; nothing if it was not found.
   std::optional<std::filesystem::path> resolve(const std::string& address) const;
 
@@ -90,6 +93,8 @@ class PONGSIM_API WorldEdits {
  private:
   friend class sim::SystemSlot;
   WorldEdits(sim::EditQueue& queue, sim::SystemSlot& owner) : queue_(queue), owner_(owner) {}
+  InsertOptions owned(InsertOptions options) const;
+
   sim::EditQueue& queue_;
   sim::SystemSlot& owner_;
 };

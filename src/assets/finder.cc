@@ -1,9 +1,12 @@
 #include "assets/finder.hh"
 
+#include <algorithm>
+#include <functional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/is_below.hh"
 #include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::assets {
@@ -34,16 +37,24 @@ fs::path placeOf(const FuelAddress& address, const fs::path& cache) {
   return address.version ? folder / std::to_string(*address.version) : folder;
 }
 
+constexpr const char* kReach =
+    "what is inserted or downloaded finds only files in the world's folder, in those of PONGSIM_RESOURCE_PATH and in "
+    "the Fuel cache";
+
 /// Looks for one address, and adds an error if it is nowhere.
 class Search {
  public:
-  Search(std::string_view uri, const SourcePosition& position, Diagnostics& diagnostics)
-      : uri_(uri), position_(position), diagnostics_(diagnostics) {}
+  /// @param mayRead Null: everything.
+  Search(std::string_view uri, const SourcePosition& position, Diagnostics& diagnostics,
+         std::function<bool(const fs::path&)> mayRead)
+      : uri_(uri), position_(position), diagnostics_(diagnostics), mayRead_(std::move(mayRead)) {}
 
   std::optional<fs::path> in(const std::vector<fs::path>& places, const std::string& advice) {
     for (const fs::path& place : places) {
-      if (isThere(place)) return place;
+      if (isThere(place) && (!mayRead_ || mayRead_(place))) return place;
     }
+    // the same whether it is there or not
+    if (mayRead_) return fail("'" + uri_ + "' is not found", kReach);
     return fail("'" + uri_ + "' is not found", "looked for it at " + listOf(places) + advice);
   }
 
@@ -59,7 +70,7 @@ class Search {
                   "write https://fuel.gazebosim.org/1.0/OWNER/models/NAME or .../NAME/VERSION");
     }
     if (cache.empty()) return fail("there is no Fuel cache to look in for '" + uri_ + "'", "set IGN_FUEL_CACHE_PATH");
-    if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
+    if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return in({*found}, "");
     if (fetch != nullptr) {
       fetch->bring({uri_});
       if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
@@ -87,6 +98,7 @@ class Search {
   const std::string uri_;
   const SourcePosition& position_;
   Diagnostics& diagnostics_;
+  const std::function<bool(const fs::path&)> mayRead_;
 };
 
 /// @return The possible locations of `path`: each of the folders, then the current one.
@@ -106,7 +118,9 @@ Finder::Finder(Places places, std::shared_ptr<FuelFetch> fetch)
 
 std::optional<fs::path> Finder::operator()(std::string_view uri, const fs::path& folder, const SourcePosition& position,
                                            Diagnostics& diagnostics) const {
-  Search search(uri, position, diagnostics);
+  std::function<bool(const fs::path&)> mayReadHere;
+  if (isConfined(folder)) mayReadHere = [&](const fs::path& file) { return mayRead(file, folder); };
+  Search search(uri, position, diagnostics, std::move(mayReadHere));
   if (isFuelAddress(uri)) return search.inFuelCache(places_.fuelCache, fetch_.get());
 
   const std::size_t mark = uri.find("://");
@@ -121,6 +135,26 @@ std::optional<fs::path> Finder::operator()(std::string_view uri, const fs::path&
   }
   const std::string advice = places_.folders.empty() ? "; set PONGSIM_RESOURCE_PATH to search more folders" : "";
   return search.in(candidates(path, isModel ? nullptr : &folder, places_), advice);
+}
+
+Finder Finder::confinedTo(std::vector<fs::path> folders) const {
+  Finder confined = *this;
+  confined.reach_ = std::move(folders);
+  return confined;
+}
+
+bool Finder::isConfined(const fs::path& folder) const {
+  if (reach_ || places_.fuelCache.empty()) return reach_.has_value();
+  const auto [place, isNew] = areFromServer_.try_emplace(folder, false);
+  if (isNew) place->second = base::isBelow(folder, places_.fuelCache);
+  return place->second;
+}
+
+bool Finder::mayRead(const fs::path& file, const fs::path& folder) const {
+  if (!isConfined(folder)) return true;
+  const auto holds = [&](const fs::path& each) { return base::isBelow(file, each); };
+  // folders that requests have added are places, but none of them widens what may be read
+  return holds(places_.fuelCache) || std::ranges::any_of(reach_ ? *reach_ : places_.folders, holds);
 }
 
 void Finder::bring(const std::vector<std::string>& addresses) const {

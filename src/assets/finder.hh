@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ namespace pongsim::assets {
 /// resource folder, or to the current folder; "file://PATH"; "model://NAME" or "model://NAME/FILE", in the resource
 /// folders or the current one, with "package://", as URDF writes it, meaning the same; or the address of a model or
 /// world on a Fuel server, which is looked for in the local cache, and downloaded if the finder is allowed to.
+///
+/// What comes from outside (models that a request inserts, files from a Fuel server) is confined: it finds only what
+/// lies in certain folders after following links, and is not told whether anything else exists.
 class Finder {
  public:
   /// Finds paths and files in the current folder only.
@@ -32,6 +36,14 @@ class Finder {
   std::optional<std::filesystem::path> operator()(std::string_view uri, const std::filesystem::path& folder,
                                                   const SourcePosition& position, Diagnostics& diagnostics) const;
 
+  /// @return This finder for models from outside: it finds only what lies in these folders and in the Fuel cache.
+  Finder confinedTo(std::vector<std::filesystem::path> folders) const;
+  /// @param folder Folder of a file.
+  /// @return Whether what that file names is confined, and it may write nothing.
+  bool isConfined(const std::filesystem::path& folder) const;
+  /// @return Whether a file in `folder` may name this file or folder.
+  bool mayRead(const std::filesystem::path& file, const std::filesystem::path& folder) const;
+
   /// Downloads those addresses that are on a Fuel server and not in the cache, if allowed: in parallel, so faster than
   /// one by one.
   void bring(const std::vector<std::string>& addresses) const;
@@ -39,6 +51,10 @@ class Finder {
  private:
   Places places_;
   std::shared_ptr<FuelFetch> fetch_;
+  /// Where it finds something if it is confined.
+  std::optional<std::vector<std::filesystem::path>> reach_;
+  /// Of folders that were asked about.
+  mutable std::map<std::filesystem::path, bool> areFromServer_;
 };
 
 /// @return A finder for these places that downloads nothing.

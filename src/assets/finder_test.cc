@@ -31,6 +31,61 @@ TEST_F(FinderTest, FindsAPathAsItIsAndBesideTheFile) {
   }
 }
 
+class ConfinedFinderTest : public testing::Test {
+ protected:
+  /// @return The path, or the message if none was found.
+  std::string find(const std::string& uri, const fs::path& folder, bool isConfined = true) {
+    Diagnostics diagnostics;
+    Finder finder = finderIn({{models_.path()}, cache_.path()});
+    if (isConfined) finder = finder.confinedTo({world_.path(), models_.path()});
+    const auto path = finder(uri, folder, {}, diagnostics);
+    return path ? path->string() : diagnostics.all().at(0).message + " " + diagnostics.all().at(0).hint;
+  }
+  std::string notFound(const std::string& uri) {
+    const std::string said = find("/not/there", {});
+    std::string same = said;
+    return same.replace(same.find("/not/there"), 10, uri);
+  }
+
+  test::TempFolder world_, models_, cache_, outside_;
+};
+
+TEST_F(ConfinedFinderTest, FindsWhatIsInReach) {
+  for (const test::TempFolder* folder : {&world_, &models_, &cache_}) {
+    const std::string file = folder->write("a/b.stl", "").string();
+    EXPECT_EQ(find(file, {}), file);
+    EXPECT_EQ(find("file://" + file, {}), file);
+  }
+  EXPECT_EQ(find("model://a/b.stl", {}), (models_.path() / "a/b.stl").string());
+  EXPECT_EQ(find("b.stl", world_.path() / "a"), (world_.path() / "a/b.stl").string());
+}
+
+TEST_F(ConfinedFinderTest, SaysTheSameOfAllElseWhetherItIsThereOrNot) {
+  const fs::path secret = outside_.write("secret.stl", "");
+  fs::create_symlink(secret, world_.path() / "file.stl");
+  fs::create_symlink(outside_.path(), models_.path() / "folder");
+  fs::create_symlink(outside_.path(), cache_.path() / "folder");
+  const std::string up = "model://../" + outside_.path().filename().string() + "/secret.stl";
+  for (const std::string& uri :
+       {secret.string(), "file://" + secret.string(), up, std::string("model://folder/secret.stl"),
+        (cache_.path() / "folder/secret.stl").string(), std::string("/dev/null")}) {
+    EXPECT_EQ(find(uri, {}), notFound(uri)) << uri;
+  }
+  EXPECT_EQ(find("file.stl", world_.path()), notFound("file.stl"));
+  EXPECT_EQ(find("secret.stl", outside_.path()), notFound("secret.stl"));
+  EXPECT_EQ(find(secret.string(), world_.path(), false), secret.string());
+}
+
+TEST_F(ConfinedFinderTest, ConfinesWhatIsInTheFuelCache) {
+  const std::string secret = outside_.write("secret.stl", "").string();
+  const std::string own = cache_.write("host/owner/models/m/1/m.stl", "").string();
+  const fs::path folder = cache_.path() / "host/owner/models/m/1";
+  EXPECT_EQ(find(secret, folder, false), notFound(secret));
+  EXPECT_EQ(find("m.stl", folder, false), own);
+  EXPECT_TRUE(finderIn({{}, cache_.path()}).isConfined(folder));
+  EXPECT_FALSE(finderIn({{}, cache_.path()}).isConfined(world_.path()));
+}
+
 TEST_F(FinderTest, FindsAModelInTheFirstFolderThatHasIt) {
   const std::string inSecond = second_.write("sun/model.sdf", "").string();
   EXPECT_EQ(find("model://sun/model.sdf"), inSecond);

@@ -8,19 +8,12 @@
 #include <variant>
 
 #include "assets/mesh_file.hh"
+#include "base/is_below.hh"
 #include "base/regular_file.hh"
 
 namespace pongsim::assets {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-bool isBelow(const fs::path& file, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
-
-}  // namespace
 
 /// Assimp's view of a file: functions, and a pointer that leads them back here.
 struct MeshFiles::OpenFile {
@@ -89,7 +82,7 @@ const std::string* MeshFiles::contentOf(const fs::path& file) {
   if (file == mesh_) return &content_;
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
-  if (error || around_.empty() || !isBelow(real, around_)) return nullptr;
+  if (error || around_.empty() || !base::isBelow(real, around_)) return nullptr;
   auto read = base::readRegularFile(real, room_);
   auto* const content = std::get_if<std::string>(&read);
   if (content == nullptr) return nullptr;

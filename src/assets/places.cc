@@ -19,18 +19,22 @@ std::string_view variable(const char* name) {
   return value != nullptr ? value : "";
 }
 
+void addFolders(const char* name, std::vector<std::filesystem::path>& folders) {
+  std::string_view rest = variable(name);
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    if (!folder.empty()) folders.emplace_back(folder);
+    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+  }
+}
+
 }  // namespace
 
 Places Places::fromEnvironment() {
   Places places;
-  for (const char* name : kVariables) {
-    std::string_view rest = variable(name);
-    while (!rest.empty()) {
-      const std::string_view folder = rest.substr(0, rest.find(':'));
-      if (!folder.empty()) places.folders.emplace_back(folder);
-      rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
-    }
-  }
+  for (const char* name : kVariables) addFolders(name, places.folders);
+  addFolders("AMENT_PREFIX_PATH", places.installed);
+  for (std::filesystem::path& prefix : places.installed) prefix /= "share";
   places.fuelCache = fuelCacheFolder();
   return places;
 }

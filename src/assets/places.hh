@@ -11,9 +11,12 @@ struct Places {
   std::vector<std::filesystem::path> folders;
   /// The local cache of Fuel models: HOST/OWNER/models/NAME/VERSION. Empty: none.
   std::filesystem::path fuelCache;
+  /// Folders with what is installed for ROS. They are not searched, but models from outside may read what is in them.
+  std::vector<std::filesystem::path> installed = {};
 
   /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH and IGN_FILE_PATH in this
-  /// order, each a list of folders separated by ":"; then IGN_FUEL_CACHE_PATH, which replaces HOME/.ignition/fuel.
+  /// order, each a list of folders separated by ":"; then IGN_FUEL_CACHE_PATH, which replaces HOME/.ignition/fuel; and
+  /// AMENT_PREFIX_PATH, whose folders have what is installed in `share`.
   static Places fromEnvironment();
 };
 

@@ -40,8 +40,10 @@ ServiceAnswer ResourceServices::add(const Message& request) {
   // all or none
   for (const std::string& folder : folders) {
     std::error_code error;
-    if (!std::filesystem::is_directory(folder, error))
-      return ServiceAnswer::refused("'" + folder + "' is not a folder");
+    // the same whether it is there or not
+    if (!std::filesystem::is_directory(folder, error) || !simulation_.isInReach(folder))
+      return ServiceAnswer::refused("'" + folder + "' is not a folder in the world's folder or in those of " +
+                                    "PONGSIM_RESOURCE_PATH");
   }
   for (const std::string& folder : folders) {
     const Outcome<void> added = simulation_.addResourceFolder(folder);
@@ -57,7 +59,9 @@ ServiceAnswer ResourceServices::add(const Message& request) {
 ServiceAnswer ResourceServices::resolve(const Message& request, Message& reply) {
   const std::string address = msgs::string(request);
   const std::optional<std::filesystem::path> found = simulation_.resolve(address);
-  if (!found) return ServiceAnswer::refused("there is no '" + address + "' in the folders with models");
+  // the same whether it is there or not
+  if (!found || !simulation_.isInReach(*found))
+    return ServiceAnswer::refused("there is no '" + address + "' in the folders with models");
   msgs::setString(found->string(), reply);
   return true;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/ask_service.hh"
+#include "support/environment_variable.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::sim {
@@ -50,6 +51,8 @@ class ResourceServicesTest : public testing::Test {
   }
 
   const test::TempFolder models_;
+  // whose folders may be added
+  const test::EnvironmentVariable reach_{"PONGSIM_RESOURCE_PATH", models_.path().parent_path().string()};
   std::unique_ptr<Simulation> simulation_;
   std::vector<std::filesystem::path> added_;
   std::unique_ptr<ResourceServices> services_;
@@ -76,8 +79,18 @@ TEST_F(ResourceServicesTest, AddFoldersInWhichModelsAreFoundThen) {
 
 TEST_F(ResourceServicesTest, RefuseWhatIsNoFolder) {
   EXPECT_EQ(ask("add", ""), "the request contains no folder");
-  EXPECT_EQ(ask("add", "data: '" + models_.path().string() + "' data: '/no/such'"), "'/no/such' is not a folder");
+  EXPECT_EQ(ask("add", "data: '" + models_.path().string() + "' data: '/no/such'"),
+            "'/no/such' is not a folder in the world's folder or in those of PONGSIM_RESOURCE_PATH");
   EXPECT_FALSE(canInsert()) << "all or none";
+}
+
+TEST_F(ResourceServicesTest, TellNothingOfWhatIsOutOfReach) {
+  const auto withoutName = [](std::string text, const std::string& name) {
+    return text.erase(text.find(name), name.size());
+  };
+  EXPECT_EQ(withoutName(ask("add", "data: '/etc'"), "/etc"), withoutName(ask("add", "data: '/no/such'"), "/no/such"));
+  EXPECT_EQ(withoutName(ask("resolve", "data: '/etc/passwd'"), "/etc/passwd"),
+            withoutName(ask("resolve", "data: '/no/such'"), "/no/such"));
 }
 
 TEST_F(ResourceServicesTest, ResolveAddresses) {

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/is_below.hh"
 #include "base/prefetch.hh"
 #include "plugin/system_name.hh"
 
@@ -38,13 +39,6 @@ std::string inBrackets(const SourcePosition& position) {
 bool environmentAllowsPaths() {
   const char* value = std::getenv("PONGSIM_ALLOW_PLUGIN_PATHS");
   return value != nullptr && std::string_view(value) == "1";
-}
-
-bool isBelow(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
-  const std::filesystem::path above = std::filesystem::weakly_canonical(folder, error);
-  return !error && !folder.empty() && std::ranges::mismatch(above, real).in1 == above.end();
 }
 
 std::string attributeOf(const Element& element, const char* name) {
@@ -105,10 +99,10 @@ void SystemSet::load(const description::World& world, bool isConfigured, const S
   if (!models.empty()) lastOfFile_ = models.back().id;
   unloaded_.reserve(models.size());
   loadWorldPlugins(world, isConfigured, options, diagnostics);
-  for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, paths_, diagnostics);
+  for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, {paths_}, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
-    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, paths_, diagnostics);
+    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, {paths_}, diagnostics);
   }
   collect();
 }
@@ -118,8 +112,8 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
   std::vector<description::Plugin> more = pluginsOf(options.systems);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
   if (!isConfigured && std::ranges::none_of(world.plugins, isSystem)) {
-    add(defaultSceneBroadcaster_, 0, {}, paths_, diagnostics);
-    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, paths_, diagnostics);
+    add(defaultSceneBroadcaster_, 0, {}, {paths_}, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, {paths_}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
@@ -132,7 +126,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
     } else if (name == kUserCommands) {
       Logger("plugins").info("user-commands is part of pongsim: every world has its services");
     } else {
-      add(plugin, i, {}, paths_, diagnostics);
+      add(plugin, i, {}, {paths_}, diagnostics);
     }
   }
   if (!wantsPhysics_ && options.physics) {
@@ -142,29 +136,35 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
-  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, paths_, diagnostics);
+  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, {paths_}, diagnostics);
 }
 
-void SystemSet::loadModelPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics) {
-  loadOwnPlugins(model, paths, diagnostics);
-  for (world::Slot nested : access_.entities.models()[model].models) loadModelPlugins(nested, paths, diagnostics);
+void SystemSet::loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics) {
+  loadOwnPlugins(model, origin, diagnostics);
+  for (world::Slot nested : access_.entities.models()[model].models) loadModelPlugins(nested, origin, diagnostics);
 }
 
-void SystemSet::loadOwnPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics) {
+void SystemSet::loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics) {
   if (!loadsPlugins_) return;
   const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
-  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, paths, diagnostics);
+  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, origin, diagnostics);
 }
 
-void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder,
-                    plugin::Loader::Paths paths, Diagnostics& diagnostics) {
-  const std::shared_ptr<const std::string>& file = plugin.sdf.position.file;
-  const bool isPath = plugin.filename.find('/') != std::string::npos;
-  if (isPath && file && isBelow(*file, fuelCache_)) paths = plugin::Loader::Paths::kNever;
+bool SystemSet::isFromServer(const std::shared_ptr<const std::string>& file) {
+  if (file != nullptr && file != lastFile_) {
+    isLastFromServer_ = base::isBelow(*file, fuelCache_);
+    lastFile_ = file;
+  }
+  return file != nullptr && isLastFromServer_;
+}
+
+void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
+                    Diagnostics& diagnostics) {
+  if (isFromServer(plugin.sdf.position.file)) origin = {plugin::Loader::Paths::kNever, true};
   std::unique_ptr<System> system;
   {
     const base::RunningPart running(plugin.filename.c_str(), "while it was loaded");
-    system = loader_.load(plugin, paths, diagnostics);
+    system = loader_.load(plugin, origin.paths, diagnostics);
   }
   if (system == nullptr) return;
 
@@ -182,7 +182,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   const std::string& nameSpace = access_.entities.nameSpace(holder.model);
   const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
   start({model ? model->id() : ModelId(), number, name, plugin.sdf, node, stream(SystemSlot::streamOf(name, number)),
-         std::move(system), actor ? actor->id() : ActorId(), where()},
+         std::move(system), actor ? actor->id() : ActorId(), where(), false, origin.isFromOutside},
         model, actor, diagnostics);
 }
 
@@ -277,8 +277,8 @@ void SystemSet::check() const {
   if (failure_) throw std::runtime_error(*failure_);
 }
 
-void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
-  loadModelPlugins(model, plugin::Loader::Paths::kNever, diagnostics);
+void SystemSet::load(world::Slot model, bool isFromOutside, Diagnostics& diagnostics) {
+  loadModelPlugins(model, {plugin::Loader::Paths::kNever, isFromOutside}, diagnostics);
   collect();
 }
 
@@ -326,7 +326,7 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   collect();
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);
-    if (slot != world::kNoSlot) loadOwnPlugins(slot, paths_, diagnostics);
+    if (slot != world::kNoSlot) loadOwnPlugins(slot, {paths_}, diagnostics);
   }
   putInOrder();
   updateWhoRests();

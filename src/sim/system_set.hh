@@ -58,7 +58,7 @@ class SystemSet {
   std::vector<SensorReadings> readings(std::string_view sensorType) const;
 
   /// Makes and configures the systems of an inserted model and of its nested models.
-  void load(world::Slot model, Diagnostics& diagnostics);
+  void load(world::Slot model, bool isFromOutside, Diagnostics& diagnostics);
 
   /// Ends the systems of removed models.
   void unload(const std::vector<ModelId>& models);
@@ -95,15 +95,22 @@ class SystemSet {
   void lookAhead(std::size_t system) const;
   void loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
                         Diagnostics& diagnostics);
-  void loadModelPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics);
-  void loadOwnPlugins(world::Slot model, plugin::Loader::Paths paths, Diagnostics& diagnostics);
+  /// Who wrote a `<plugin>`.
+  struct Origin {
+    /// Whether it may name the path of a library; not if it is from a server.
+    plugin::Loader::Paths paths;
+    /// As in `InsertOptions`.
+    bool isFromOutside = false;
+  };
+  void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
+  void loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
+  bool isFromServer(const std::shared_ptr<const std::string>& file);
   /// The parent of a `<plugin>`: a model, an actor, or if neither, the world.
   struct Holder {
     world::Slot model = world::kNoSlot;
     const world::ActorRecord* actor = nullptr;
   };
-  /// @param paths Whether plugins of its kind may name paths; not if it is from a server.
-  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, plugin::Loader::Paths paths,
+  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
   /// @return Whether it can be used.
   bool start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
@@ -137,6 +144,9 @@ class SystemSet {
   plugin::Loader::Paths paths_ = plugin::Loader::Paths::kNeedLeave;
   /// Where files of Fuel servers are.
   const std::filesystem::path fuelCache_ = assets::Places::fromEnvironment().fuelCache;
+  /// The last file that was asked about, and the answer: a file's plugins come one after the other.
+  std::shared_ptr<const std::string> lastFile_;
+  bool isLastFromServer_ = false;
   // The libraries must outlive the systems.
   plugin::Loader loader_;
   /// Models of the file whose systems have ended; both return with a reset.

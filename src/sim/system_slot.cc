@@ -45,6 +45,10 @@ bool SystemSlot::start(World& world, const std::optional<Model>& model, const st
       diagnostics.warning(plugin.position, left + "it belongs in " + place);
       return false;
     }
+    if (declaration_.hasFiles() && parts_.isFromOutside) {
+      diagnostics.warning(plugin.position, left + "it uses files, which what is inserted or downloaded may not name");
+      return false;
+    }
     if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
     parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_, actor});
     return true;

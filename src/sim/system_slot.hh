@@ -42,6 +42,8 @@ class SystemSlot final : public CallGuard {
     std::string where = {};
     /// Whether the program added it.
     bool isAdded = false;
+    /// Whether it came with a model from outside or a file from a Fuel server.
+    bool isFromOutside = false;
   };
   /// Called with the reason each time the system is switched off.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -57,6 +59,7 @@ class SystemSlot final : public CallGuard {
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
   bool isAdded() const { return parts_.isAdded; }
+  bool isFromOutside() const { return parts_.isFromOutside; }
   /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.plugin.position; }

@@ -56,7 +56,7 @@ class SystemSlotTest : public testing::Test {
   description::World description_;
   Access access_{description_};
   assets::Places places_;
-  ModelEdits edits_{access_, places_};
+  ModelEdits edits_{access_, places_, {}};
   EditQueue queue_{edits_};
   World world_{access_};
   Transport transport_{{.network = false, .domain = {}}};
@@ -72,6 +72,32 @@ TEST_F(SystemSlotTest, CallsASystemThatBehaves) {
   EXPECT_EQ(system_->calls, 2);
   EXPECT_TRUE(said_.empty());
   EXPECT_EQ(slot_->topics(), std::vector<std::string>{"/done"});
+}
+
+/// Writes a file.
+class Writer : public System {
+ public:
+  void declare(Declaration& declaration) override { declaration.usesFiles(); }
+};
+
+TEST_F(SystemSlotTest, LeavesOutOneWithFilesIfItIsFromOutside) {
+  for (const bool isFromOutside : {false, true}) {
+    SystemSlot slot({ModelId(),
+                     0,
+                     "writer",
+                     {},
+                     transport_.node(),
+                     Random(0, "writer"),
+                     std::make_unique<Writer>(),
+                     {},
+                     {},
+                     false,
+                     isFromOutside},
+                    access_, queue_, {});
+    Diagnostics diagnostics;
+    EXPECT_EQ(slot.start(world_, std::nullopt, std::nullopt, {}, diagnostics), !isFromOutside);
+    EXPECT_EQ(diagnostics.all().size(), isFromOutside ? 1U : 0U);
+  }
 }
 
 TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsUntilItIsSwitchedOn) {

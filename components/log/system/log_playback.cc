@@ -13,6 +13,7 @@ namespace pongsim::log {
 void PlaybackSystem::declare(Declaration& declaration) {
   declaration.is("Plays a recording: everything moves as LogRecord recorded it, in a world without physics.",
                  Declaration::Place::kWorld);
+  declaration.usesFiles();
   declaration.parameter("playback_path", &path_, "", "folder of the recording, zip file of one, or .tlog file")
       .required();
 }

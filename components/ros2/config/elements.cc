@@ -42,6 +42,7 @@ void SettingsElements::declare(Declaration& declaration) {
   declaration.parameter("frame_prefix", &framePrefix_, "", "prefix of all frames, such as robot/");
   declaration.parameter("bridge_all", &bridgesAll_, "",
                         "whether to bridge all topics that have a ROS type, or only those that are named");
+  declaration.usesFiles();
   declaration.parameter("config_file", &configFile_, "",
                         "configuration in the YAML of ros_gz_bridge, named from the folder of the world");
   declaration.parameter("topic", &topics_, "",

@@ -129,7 +129,8 @@ std::optional<ModelTemplate> Spawner::read(const si::Resource& resource, Result&
 std::optional<ModelTemplate> Spawner::readAddress(const std::string& uri, Diagnostics& diagnostics,
                                                   Result& result) const {
   const std::optional<std::filesystem::path> found = edits_.resolve(uri);
-  if (!found) {
+  // the same whether it is there or not
+  if (!found || !edits_.isInReach(*found)) {
     result = notFound("there is no '" + uri.substr(0, 1000) + "'");
     return std::nullopt;
   }
@@ -145,7 +146,9 @@ void Spawner::insert(const ModelTemplate& model, const InsertOptions& options, S
   const std::uint64_t owed = owed_.owe([answer] {
     (*answer)({failed("the world was reset before the entity was spawned"), {}});
   });
-  edits_.insert(model, options, [this, answer, owed, name = options.name](const Outcome<Model>& inserted) {
+  InsertOptions fromOutside = options;
+  fromOutside.isFromOutside = true;
+  edits_.insert(model, fromOutside, [this, answer, owed, name = options.name](const Outcome<Model>& inserted) {
     if (!owed_.settle(owed)) return;
     if (inserted.value) return (*answer)({succeeded(), std::string(inserted.value->name())});
     const bool isTaken = !finder_.world().isNameFree(name);

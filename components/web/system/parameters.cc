@@ -59,6 +59,7 @@ void WebParameters::declare(Declaration& declaration) {
                         "Origin of another page that may connect read-only, such as https://app.gazebosim.org");
   declaration.parameter("writing_origin", &writingOrigins, "", "Origin of another page that may also change things");
   declaration.parameter("read_only", &isReadOnly, "", "Whether all clients are read-only");
+  declaration.usesFiles();
   declaration.parameter("certificate", &certificate, "", "File with the certificate for TLS, in PEM")
       .otherwise("no TLS");
   declaration.parameter("key", &key, "", "File with the certificate's key, in PEM").otherwise("no TLS");

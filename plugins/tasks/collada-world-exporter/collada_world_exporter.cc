@@ -41,6 +41,7 @@ class ColladaWorldExporter : public System {
         "Writes all visuals and lights into a COLLADA file in the first step: WORLD/meshes/WORLD.dae in the current "
         "folder, with the textures in WORLD/materials/textures.",
         Declaration::Place::kWorld);
+    declaration.usesFiles();
   }
 
   void configure(const SystemContext& context) override {

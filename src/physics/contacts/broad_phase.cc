@@ -65,7 +65,7 @@ btBroadphaseProxy& BroadPhase::add(const btVector3& lowest, const btVector3& hig
   btDbvt& tree = treeOf(*proxy);
   proxy->leaf = tree.insert(btDbvtVolume::FromMM(lowest, highest), proxy);
   balance_.keepShallow(tree, *proxy->leaf);
-  findPairs(*proxy);
+  refused_ += findPairsNow(*proxy);
   return *proxy;
 }
 
@@ -104,14 +104,16 @@ void BroadPhase::put(btDbvtProxy& proxy, btDbvtVolume volume) {
   findPairs(proxy);
 }
 
-void BroadPhase::findPairs(btBroadphaseProxy& absolute) {
+void BroadPhase::findPairs(btBroadphaseProxy& proxy) { refusedAgain_ += findPairsNow(proxy); }
+
+std::size_t BroadPhase::findPairsNow(btBroadphaseProxy& absolute) {
   auto& proxy = static_cast<btDbvtProxy&>(absolute);
   const int before = m_paircache->getNumOverlappingPairs();
   PairFinder finder(*m_paircache, proxy, mostPairs());
   for (const btDbvt& set : m_sets) set.collideTV(set.m_root, proxy.leaf->volume, finder);
   haveNewPairs_ = haveNewPairs_ || m_paircache->getNumOverlappingPairs() != before;
-  refused_ += finder.refused;
   isOneMissing_ = isOneMissing_ || finder.refused > 0;
+  return finder.refused;
 }
 
 std::size_t BroadPhase::mostPairs() const {

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -58,8 +59,8 @@ class BroadPhase final : public btDbvtBroadphase {
 
   /// @return How many pairs of moving bodies there may be; with others, there may be twice as many.
   std::size_t mostPairs() const;
-  /// @return How many pairs were refused, those found again counted again.
-  std::size_t refusedPairs() const { return refused_; }
+  /// @return About how many pairs were refused.
+  std::size_t refusedPairs() const { return std::max(refused_, (refusedAgain_ + 1) / 2); }
   /// Finds the pairs of these bodies again if some were refused and there is room now.
   void findRefusedPairs(std::span<btRigidBody* const> bodies);
 
@@ -73,10 +74,14 @@ class BroadPhase final : public btDbvtBroadphase {
  private:
   btDbvt& treeOf(const btDbvtProxy& proxy);
   void put(btDbvtProxy& proxy, btDbvtVolume volume);
+  /// @return How many were refused.
+  std::size_t findPairsNow(btBroadphaseProxy& proxy);
 
   TreeBalance balance_;
   bool haveNewPairs_ = false;
+  /// When bodies were added, each pair once; and later, mostly once for each of the two bodies.
   std::size_t refused_ = 0;
+  std::size_t refusedAgain_ = 0;
   bool isOneMissing_ = false;
 };
 

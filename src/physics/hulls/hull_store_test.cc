@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include "physics/hulls/hull_code.hh"
 #include "physics/shapes/margin.hh"
+#include "pongsim/program/log_sink.hh"
+#include "pongsim/random.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"
 
@@ -184,6 +189,31 @@ TEST(HullStore, BearsWhatIsNoBody) {
   EXPECT_TRUE(hullsOf(meshWith({})).empty());
   // beyond all measure
   EXPECT_EQ(hullsOf(meshWith(bowl(), {1e300, 1, 1})).size(), 1U);
+}
+
+/// Triangles in disorder.
+description::TriangleMesh soupOf(std::size_t count) {
+  Random random(3, "soup");
+  description::TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3 * count; ++i) {
+    mesh.vertices.push_back(Vector3(random.uniform(), random.uniform(), random.uniform()));
+    if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  return mesh;
+}
+
+TEST(HullStore, EndsInSecondsWithTrianglesInDisorderAndSaysThatTheyAreOne) {
+  int count = 0;
+  const LogSink sink(LogLevel::kWarning, [&](const LogRecord& record) {
+    if (record.message.find("not as its real shape") != std::string_view::npos) ++count;
+  });
+  const std::clock_t begin = std::clock();
+  const description::TriangleMesh many = soupOf(100'000);
+  EXPECT_EQ(hullsOf(meshWith(many)), std::vector{makeHull(many.vertices)});
+  EXPECT_LE(hullsOf(meshWith(soupOf(5'000))).size(), 64U);
+  // in optimized programs 3 s on a fast processor; without a bound it takes minutes
+  EXPECT_LT(std::clock() - begin, 30 * CLOCKS_PER_SEC);
+  EXPECT_EQ(count, 2);
 }
 
 TEST(HullStore, LooksAtALargeMeshAsIfItWereCoarse) {

@@ -6,6 +6,16 @@
 
 namespace pongsim::sdf {
 
+namespace {
+
+/// @return An address as messages about the scene have it. Of a file that is not found, one from outside has none: the
+/// web server gives out the files that a scene names.
+std::string uriOf(const std::string& uri, bool isFound, const Context& context) {
+  return isFound || context.includes.mayWrite(context.folder) ? uri : std::string();
+}
+
+}  // namespace
+
 void AssetFile::warn(const assets::Problem& problem, Context& context) const {
   context.diagnostics.warning(position, kind + " '" + path.string() + "' " + problem.text + effect, problem.hint);
 }
@@ -25,7 +35,8 @@ AssetFile findAsset(const Element& shape, const std::string& kind, const std::st
   for (const Diagnostic& diagnostic : found.all()) {
     context.diagnostics.warning(diagnostic.position, kind + ' ' + diagnostic.message + effect, diagnostic.hint);
   }
-  return {uri->text, path.value_or(std::filesystem::path()), kind, uri->position, effect};
+  return {uriOf(uri->text, path.has_value(), context), path.value_or(std::filesystem::path()), kind, uri->position,
+          effect};
 }
 
 description::Texture readTexture(const Element& parent, std::string_view child, Context& context) {
@@ -42,6 +53,7 @@ description::Texture readTexture(const Element& parent, std::string_view child, 
                                   diagnostic.hint);
     }
   }
+  texture.uri = uriOf(texture.uri, !texture.file.empty(), context);
   return texture;
 }
 

@@ -13,7 +13,7 @@ namespace pongsim::sdf {
 
 /// A file that a shape is read from.
 struct AssetFile {
-  /// As written in the SDF file.
+  /// As written in the SDF file; empty if it is not found and comes from outside (`assets::Finder`).
   std::string uri;
   /// Empty if the file does not exist.
   std::filesystem::path path;

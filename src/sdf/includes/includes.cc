@@ -115,12 +115,17 @@ std::optional<fs::path> Includes::find(const Element& include, Context& context)
   const auto known = modelFiles_.find(found->string());
   if (known != modelFiles_.end()) return known->second;
   const fs::path config = *found / "model.config";
-  if (!fs::exists(config, ignored)) {
+  if (!fs::exists(config, ignored) || !finder_.mayRead(config, context.folder)) {
     diagnostics_.error(uri->position, "there is no model.config in '" + found->string() + "'",
                        "it names the SDF file in a model's folder; <uri> can also name the SDF file directly");
     return std::nullopt;
   }
-  return modelFiles_[found->string()] = readModelConfig(config, newName(config, include.position), diagnostics_);
+  std::optional<fs::path> file = readModelConfig(config, newName(config, include.position), diagnostics_);
+  if (file && !finder_.mayRead(*file, *found)) {
+    diagnostics_.error(uri->position, "'" + config.string() + "' names a file that is not found");
+    file.reset();
+  }
+  return modelFiles_[found->string()] = file;
 }
 
 Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& includedFrom) {

@@ -67,6 +67,8 @@ class Includes {
                                                  const SourcePosition& position, Diagnostics& diagnostics) const {
     return finder_(uri, folder, position, diagnostics);
   }
+  /// @return Whether files in this folder may write other files.
+  bool mayWrite(const std::filesystem::path& folder) const { return !finder_.isConfined(folder); }
   assets::MeshStore& meshes() { return meshes_; }
 
   /// @return Where the file of `position` is included, where that file is included, and so on.

@@ -55,7 +55,7 @@ struct Simulation::Parts {
   Parts(description::World world, const sim::WorldPlace& place, bool sharesTransport, const SimulationOptions& options)
       : description(std::move(world)),
         access(description, settingsFor(description.physics, options)),
-        edits(access, places),
+        edits(access, places, description.position.file ? *description.position.file : std::string()),
         transport(chooseTransport(options, sharesTransport)),
         systems(access, edits, transport, options.seed, options.strict, place),
         wantsPhysics(options.physics) {
@@ -290,6 +290,8 @@ Outcome<void> Simulation::addResourceFolder(const std::filesystem::path& folder)
 }
 
 std::vector<std::filesystem::path> Simulation::resourceFolders() const { return parts_->places.folders; }
+
+bool Simulation::isInReach(const std::filesystem::path& path) const { return parts_->edits.isInReach(path); }
 
 std::optional<std::filesystem::path> Simulation::resolve(const std::string& address) const {
   Diagnostics none;

@@ -69,7 +69,8 @@ Outcome<void> EditServices::insert(const msgs::EntityFactory& asked, Inserted& i
   const int sources =
       int{!asked.text.empty()} + int{!asked.file.empty()} + int{!asked.original.empty()} + int{asked.light != nullptr};
   if (sources != 1) return {"give one of 'sdf', 'sdf_filename', 'clone_name' and 'light'"};
-  InsertOptions options{.name = asked.name, .pose = asked.pose, .allowRenaming = asked.allowRenaming};
+  InsertOptions options{
+      .name = asked.name, .pose = asked.pose, .allowRenaming = asked.allowRenaming, .isFromOutside = true};
   if (asked.place) {
     Outcome<Vector3> position = positionOf(*asked.place);
     if (!position) return {position.error};

@@ -6,6 +6,7 @@
 #include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -15,6 +16,7 @@
 #include "pongsim/scene.hh"
 #include "pongsim/simulation.hh"
 #include "support/ask_service.hh"
+#include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::sim {
@@ -108,6 +110,72 @@ TEST_F(EditServicesTest, SayWhatIsWrongWithWhatIsToBeCreated) {
   EXPECT_NE(create("clone_name: 'ball'"), "") << "the name is taken";
   EXPECT_EQ(create("clone_name: 'ball', name: 'b', relative_to: 'tower'"), "field 'relative_to' is not supported");
   EXPECT_EQ(simulation_->world().models().size(), 2U);
+}
+
+TEST_F(EditServicesTest, CreateFilesOfTheWorldsFolderOnly) {
+  const test::TempFolder world, outside;
+  const std::string crate = "<sdf version='1.9'><model name='crate'><link name='l'/></model></sdf>";
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromFile(world.write("w.sdf", "<sdf version='1.9'><world name='w'/></sdf>"),
+                                     {.loadSystems = false}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  const auto refusalOf = [&](const std::filesystem::path& file) {
+    const std::string said = create("sdf_filename: '" + file.string() + "'");
+    EXPECT_NE(said.find(file.string()), std::string::npos) << said;
+    return said.substr(said.find(file.string()) + file.string().size());
+  };
+  const std::string notThere = refusalOf(outside.path() / "not there");
+  EXPECT_EQ(refusalOf(outside.write("crate.sdf", crate)), notThere);
+  EXPECT_EQ(refusalOf(outside.write("broken.sdf", "<sdf")), notThere);
+  std::filesystem::create_symlink(outside.path() / "crate.sdf", world.path() / "link.sdf");
+  EXPECT_EQ(refusalOf(world.path() / "link.sdf"), notThere);
+  world.write("m/model.config",
+              "<model><name>m</name><sdf>../../" + outside.path().filename().string() + "/crate.sdf</sdf></model>");
+  EXPECT_NE(create("sdf_filename: '" + (world.path() / "m").string() + "'"), "");
+  EXPECT_EQ(simulation_->world().models().size(), 0U);
+  EXPECT_EQ(create("sdf_filename: '" + world.write("crate.sdf", crate).string() + "'"), "");
+  // the program itself may
+  EXPECT_TRUE(simulation_->insertFile(outside.path() / "crate.sdf", {.name = "other"}, diagnostics));
+}
+
+TEST_F(EditServicesTest, CreateModelsThatReadAndWriteNothingOutside) {
+  const test::TempFolder outside;
+  const std::string mesh = outside.write("a.stl", "solid\nendsolid").string();
+  const auto modelWith = [](const std::string& inLink, const std::string& name) {
+    return "<sdf version='1.9'><model name='" + name + "'><link name='l'>" + inLink + "</link></model></sdf>";
+  };
+  const auto meshAt = [](const std::string& file) {
+    return "<collision name='c'><geometry><mesh><uri>" + file + "</uri></mesh></geometry></collision>";
+  };
+  const auto warnings = [&](const std::string& inLink, bool isFromOutside) {
+    Diagnostics diagnostics;
+    const InsertOptions options{.allowRenaming = true, .isFromOutside = isFromOutside};
+    EXPECT_TRUE(simulation_->insertModelOrLight(modelWith(inLink, "m"), "sdf", options, diagnostics));
+    std::string all;
+    for (const Diagnostic& diagnostic : diagnostics.all()) all += diagnostic.message + "; " + diagnostic.hint + "\n";
+    return all;
+  };
+  std::string there = warnings(meshAt(mesh), true), notThere = warnings(meshAt("/not/there.stl"), true);
+  ASSERT_NE(there.find(mesh), std::string::npos) << there;
+  EXPECT_EQ(there.replace(there.find(mesh), mesh.size(), "/not/there.stl"), notThere);
+  EXPECT_EQ(warnings(meshAt(mesh), false).find("is not found"), std::string::npos);
+
+  const std::string picture = outside.write("a.png", "").string();
+  const std::string pictured =
+      "<visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry><material><pbr>"
+      "<metal><albedo_map>" +
+      picture + "</albedo_map></metal></pbr></material></visual>";
+  warnings(pictured, true);
+  EXPECT_EQ(scene().DebugString().find(picture), std::string::npos) << "the web server gives out what a scene names";
+  warnings(pictured, false);
+  EXPECT_NE(scene().DebugString().find(picture), std::string::npos);
+
+  const std::string camera = "<sensor name='s' type='camera'><camera><save enabled='true'><path>" +
+                             outside.path().string() + "</path></save></camera></sensor>";
+  EXPECT_NE(warnings(camera, true).find("no images are saved"), std::string::npos);
+  EXPECT_EQ(warnings(camera, false).find("no images are saved"), std::string::npos);
 }
 
 TEST_F(EditServicesTest, CreateACopyWhereTheOriginalIs) {

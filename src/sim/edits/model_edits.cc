@@ -32,20 +32,48 @@ std::shared_ptr<description::Model> firstModel(sdf::Root root, Diagnostics& diag
   return model;
 }
 
-/// @return The file that a model's folder names; what is no folder as it is. Nothing, and an error, where there is
-/// none.
-std::optional<std::filesystem::path> modelFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(file, ignored)) return file;
-  const std::filesystem::path config = file / "model.config";
-  return sdf::readModelConfig(config, std::make_shared<const std::string>(config.string()), diagnostics);
-}
-
 void addAll(const Diagnostics& found, Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
 }
 
 }  // namespace
+
+ModelEdits::ModelEdits(Access& access, const assets::Places& places, const std::filesystem::path& worldFile)
+    : access_(access), places_(places), reach_(places.folders) {
+  reach_.insert(reach_.end(), places.installed.begin(), places.installed.end());
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(worldFile, ignored)) return;
+  reach_.push_back(std::filesystem::absolute(worldFile, ignored).parent_path());
+}
+
+assets::Finder ModelEdits::finder(bool isFromOutside) const {
+  assets::Finder finder = assets::finderIn(places_);
+  return isFromOutside ? finder.confinedTo(reach_) : finder;
+}
+
+std::optional<std::filesystem::path> ModelEdits::modelFile(const std::filesystem::path& file, bool isFromOutside,
+                                                           Diagnostics& diagnostics) const {
+  const auto isReadable = [&](const std::filesystem::path& each) {
+    std::error_code ignored;
+    return !isFromOutside || (std::filesystem::exists(each, ignored) && isInReach(each));
+  };
+  const auto refuse = [&](const std::filesystem::path& each) {
+    // the same whether it is there or not
+    diagnostics.error({}, "'" + each.string() + "' is not found",
+                      "requests find only files in the world's folder, in those of PONGSIM_RESOURCE_PATH and in the "
+                      "Fuel cache");
+    return std::nullopt;
+  };
+  if (!isReadable(file)) return refuse(file);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(file, ignored)) return file;
+  const std::filesystem::path config = file / "model.config";
+  if (!isReadable(config)) return refuse(config);
+  std::optional<std::filesystem::path> named =
+      sdf::readModelConfig(config, std::make_shared<const std::string>(config.string()), diagnostics);
+  if (named && !isReadable(*named)) return refuse(*named);
+  return named;
+}
 
 // Each looks at mistakes of its own: what was wrong before is no reason not to insert.
 
@@ -53,7 +81,7 @@ std::optional<Model> ModelEdits::insertFile(const std::filesystem::path& file, c
                                             Diagnostics& diagnostics) {
   Diagnostics found;
   std::optional<Model> model;
-  if (const std::shared_ptr<description::Model> read = readFirst(file, found))
+  if (const std::shared_ptr<description::Model> read = readFirst(file, options.isFromOutside, found))
     model = insertOwned(read, options, found);
   addAll(found, diagnostics);
   return model;
@@ -62,7 +90,8 @@ std::optional<Model> ModelEdits::insertFile(const std::filesystem::path& file, c
 std::optional<Model> ModelEdits::insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
   Diagnostics found;
-  std::optional<Model> model = insertFirst(sdf::loadText(text, name, found, assets::finderIn(places_)), options, found);
+  std::optional<Model> model =
+      insertFirst(sdf::loadText(text, name, found, finder(options.isFromOutside)), options, found);
   addAll(found, diagnostics);
   return model;
 }
@@ -71,9 +100,10 @@ std::optional<ModelOrLight> ModelEdits::insertModelOrLight(const std::filesystem
                                                            const InsertOptions& options, Diagnostics& diagnostics) {
   Diagnostics found;
   std::optional<ModelOrLight> inserted;
-  if (const std::optional<std::filesystem::path> path = modelFile(file, found))
-    inserted =
-        insertFirstOf(sdf::loadFile(*path, found, assets::finderIn(places_), sdf::NamedBy::kContent), options, found);
+  if (const std::optional<std::filesystem::path> path = modelFile(file, options.isFromOutside, found)) {
+    sdf::Root root = sdf::loadFile(*path, found, finder(options.isFromOutside), sdf::NamedBy::kContent);
+    inserted = insertFirstOf(std::move(root), options, found);
+  }
   addAll(found, diagnostics);
   return inserted;
 }
@@ -82,7 +112,7 @@ std::optional<ModelOrLight> ModelEdits::insertModelOrLight(std::string_view text
                                                            const InsertOptions& options, Diagnostics& diagnostics) {
   Diagnostics found;
   std::optional<ModelOrLight> inserted =
-      insertFirstOf(sdf::loadText(text, name, found, assets::finderIn(places_)), options, found);
+      insertFirstOf(sdf::loadText(text, name, found, finder(options.isFromOutside)), options, found);
   addAll(found, diagnostics);
   return inserted;
 }
@@ -140,11 +170,11 @@ std::optional<Model> ModelEdits::insert(const description::Model& model, const I
   return inserted;
 }
 
-std::shared_ptr<description::Model> ModelEdits::readFirst(const std::filesystem::path& file,
+std::shared_ptr<description::Model> ModelEdits::readFirst(const std::filesystem::path& file, bool isFromOutside,
                                                           Diagnostics& diagnostics) const {
-  const std::optional<std::filesystem::path> found = modelFile(file, diagnostics);
+  const std::optional<std::filesystem::path> found = modelFile(file, isFromOutside, diagnostics);
   if (!found) return nullptr;
-  return firstModel(sdf::loadFile(*found, diagnostics, assets::finderIn(places_), sdf::NamedBy::kContent), diagnostics);
+  return firstModel(sdf::loadFile(*found, diagnostics, finder(isFromOutside), sdf::NamedBy::kContent), diagnostics);
 }
 
 std::optional<Model> ModelEdits::insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {
@@ -186,7 +216,7 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
     access_.hasChanged = false;
   };
   try {
-    if (systems_ != nullptr) systems_->load(slot, diagnostics);
+    if (systems_ != nullptr) systems_->load(slot, options.isFromOutside, diagnostics);
   } catch (...) {
     removeAgain();
     throw;
@@ -234,10 +264,11 @@ Outcome<void> ModelEdits::remove(std::span<const ModelId> models) {
   return {};
 }
 
-std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, Diagnostics& diagnostics) const {
+std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, bool isFromOutside,
+                                                           Diagnostics& diagnostics) const {
   Diagnostics found;
   std::shared_ptr<const description::Model> model =
-      firstModel(sdf::loadElement(sdf, found, assets::finderIn(places_)), found);
+      firstModel(sdf::loadElement(sdf, found, finder(isFromOutside)), found);
   addAll(found, diagnostics);
   return model;
 }
@@ -245,7 +276,7 @@ std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, D
 std::shared_ptr<const description::Model> ModelEdits::readFile(const std::filesystem::path& file,
                                                                Diagnostics& diagnostics) const {
   Diagnostics found;
-  std::shared_ptr<const description::Model> model = readFirst(file, found);
+  std::shared_ptr<const description::Model> model = readFirst(file, true, found);
   addAll(found, diagnostics);
   return model;
 }
@@ -253,8 +284,7 @@ std::shared_ptr<const description::Model> ModelEdits::readFile(const std::filesy
 std::shared_ptr<const description::Model> ModelEdits::readText(std::string_view text, std::string_view name,
                                                                Diagnostics& diagnostics) const {
   Diagnostics found;
-  std::shared_ptr<const description::Model> model =
-      firstModel(sdf::loadText(text, name, found, assets::finderIn(places_)), found);
+  std::shared_ptr<const description::Model> model = firstModel(sdf::loadText(text, name, found, finder(true)), found);
   addAll(found, diagnostics);
   return model;
 }

@@ -24,7 +24,8 @@ class SystemSet;
 class ModelEdits {
  public:
   /// @param places Where models' files are searched. Both must outlive this.
-  ModelEdits(Access& access, const assets::Places& places) : access_(access), places_(places) {}
+  /// @param worldFile Models from outside may read files in its folder. Empty: the world has none.
+  ModelEdits(Access& access, const assets::Places& places, const std::filesystem::path& worldFile);
 
   /// Sets the systems, which are then added and removed with their models. They must outlive this.
   void setSystems(SystemSet& systems) { systems_ = &systems; }
@@ -50,17 +51,27 @@ class ModelEdits {
   /// Removes all of the models or, if one can't be removed, none.
   Outcome<void> remove(std::span<const ModelId> models);
 
-  /// @return The first model of an `<sdf>` element; null on errors. Likewise below.
-  std::shared_ptr<const description::Model> read(const Element& sdf, Diagnostics& diagnostics) const;
+  /// @return The first model of an `<sdf>` element; null on errors.
+  std::shared_ptr<const description::Model> read(const Element& sdf, bool isFromOutside,
+                                                 Diagnostics& diagnostics) const;
+  /// Likewise of a file or text from outside.
   std::shared_ptr<const description::Model> readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
   std::shared_ptr<const description::Model> readText(std::string_view text, std::string_view name,
                                                      Diagnostics& diagnostics) const;
 
   /// Where models' files are searched.
   const assets::Places& places() const { return places_; }
+  /// @return Whether models from outside may read this file or folder.
+  bool isInReach(const std::filesystem::path& path) const { return finder(true).mayRead(path, {}); }
 
  private:
-  std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, Diagnostics& diagnostics) const;
+  assets::Finder finder(bool isFromOutside) const;
+  /// @return The file that a model's folder names; what is no folder as it is. Nothing, and an error, where there is
+  /// none.
+  std::optional<std::filesystem::path> modelFile(const std::filesystem::path& file, bool isFromOutside,
+                                                 Diagnostics& diagnostics) const;
+  std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, bool isFromOutside,
+                                                Diagnostics& diagnostics) const;
   std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
   /// @param found Diagnostics of reading, which are added to.
   std::optional<ModelOrLight> insertFirstOf(sdf::Root root, const InsertOptions& options, Diagnostics& found);
@@ -72,6 +83,8 @@ class ModelEdits {
 
   Access& access_;
   const assets::Places& places_;
+  /// Folders that models from outside may read, beside the Fuel cache.
+  std::vector<std::filesystem::path> reach_;
   SystemSet* systems_ = nullptr;
 };
 

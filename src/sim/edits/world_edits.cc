@@ -5,6 +5,7 @@
 #include "assets/finder.hh"
 #include "description/model.hh"
 #include "sim/edits/edit_queue.hh"
+#include "sim/system_slot.hh"
 
 namespace pongsim {
 
@@ -36,7 +37,7 @@ void throwFirst(const Diagnostics& found, const SourcePosition& position, Diagno
 
 ModelTemplate WorldEdits::read(const Element& sdf, Diagnostics& diagnostics) const {
   Diagnostics found;
-  std::shared_ptr<const description::Model> model = queue_.edits().read(sdf, found);
+  std::shared_ptr<const description::Model> model = queue_.edits().read(sdf, owner_.isFromOutside(), found);
   throwFirst(found, sdf.position, diagnostics);
   return ModelTemplate(std::move(model));
 }
@@ -57,6 +58,14 @@ ModelTemplate WorldEdits::readFile(const std::filesystem::path& file, Diagnostic
 
 std::vector<std::filesystem::path> WorldEdits::resourceFolders() const { return queue_.edits().places().folders; }
 
+bool WorldEdits::isInReach(const std::filesystem::path& path) const { return queue_.edits().isInReach(path); }
+
+/// What a system of a model from outside inserts is from outside too.
+InsertOptions WorldEdits::owned(InsertOptions options) const {
+  options.isFromOutside = options.isFromOutside || owner_.isFromOutside();
+  return options;
+}
+
 std::optional<std::filesystem::path> WorldEdits::resolve(const std::string& address) const {
   Diagnostics none;
   return assets::finderIn(queue_.edits().places())(address, {}, {}, none);
@@ -65,7 +74,7 @@ std::optional<std::filesystem::path> WorldEdits::resolve(const std::string& addr
 void WorldEdits::insert(const ModelTemplate& model, const InsertOptions& options, Inserted inserted) {
   queue_.insert(
       owner_,
-      [model = model.model_, options](sim::ModelEdits& edits, Diagnostics& diagnostics) {
+      [model = model.model_, options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
         return edits.insert(*model, options, diagnostics);
       },
       std::move(inserted));
@@ -74,7 +83,8 @@ void WorldEdits::insert(const ModelTemplate& model, const InsertOptions& options
 void WorldEdits::insertText(std::string text, std::string name, const InsertOptions& options, Inserted inserted) {
   queue_.insert(
       owner_,
-      [text = std::move(text), name = std::move(name), options](sim::ModelEdits& edits, Diagnostics& diagnostics) {
+      [text = std::move(text), name = std::move(name), options = owned(options)](sim::ModelEdits& edits,
+                                                                                 Diagnostics& diagnostics) {
         return edits.insertText(text, name, options, diagnostics);
       },
       std::move(inserted));
@@ -83,7 +93,7 @@ void WorldEdits::insertText(std::string text, std::string name, const InsertOpti
 void WorldEdits::insertFile(std::filesystem::path file, const InsertOptions& options, Inserted inserted) {
   queue_.insert(
       owner_,
-      [file = std::move(file), options](sim::ModelEdits& edits, Diagnostics& diagnostics) {
+      [file = std::move(file), options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
         return edits.insertFile(file, options, diagnostics);
       },
       std::move(inserted));
@@ -92,7 +102,7 @@ void WorldEdits::insertFile(std::filesystem::path file, const InsertOptions& opt
 void WorldEdits::insertCopy(const Model& model, const InsertOptions& options, Inserted inserted) {
   queue_.insert(
       owner_,
-      [original = model.id(), options](sim::ModelEdits& edits, Diagnostics& diagnostics) {
+      [original = model.id(), options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
         return edits.insertCopy(original, options, diagnostics);
       },
       std::move(inserted));

@@ -1,4 +1,5 @@
 #include "sdf/readers/sensors/camera_reader.hh"
+#include "sdf/includes/includes.hh"
 
 #include <array>
 #include <numbers>
@@ -111,6 +112,11 @@ LensSettings readLens(const Element& element, Context& context) {
 void readSave(const Element& element, CameraSettings& camera, Context& context) {
   camera.savesPictures = readFlagAttribute(element, "enabled", false, context);
   camera.savePath = readText(element, "path", "");
+  if (!camera.savesPictures || context.includes.mayWrite(context.folder)) return;
+  context.diagnostics.warning(element.position,
+                              "no images are saved: models that are inserted or downloaded write no files",
+                              "put the camera into the world that the run starts with");
+  camera.savesPictures = false;
 }
 
 void readDepth(const Element& element, const std::string& label, CameraSettings& camera, Context& context) {
