@@ -99,6 +99,11 @@ class PONGSIM_API Simulation {
   /// @return The desired real-time factor: that of the world unless changed; 0: as fast as possible.
   double realTimeFactor() const;
 
+  /// Lets the systems complete what they write, such as recordings. Call it after the last step: a destructor could not
+  /// report that this failed. A second call does nothing new.
+  /// @return What is incomplete, with the names of the systems.
+  Outcome<void> finish();
+
   World world();
 
   /// @return What the world's systems publish of sensors of that type, the main readings first; empty if no system

@@ -85,10 +85,14 @@ class PONGSIM_API System {
   /// keeps its current one when a state is restored. The random stream of the context is saved automatically, copies of
   /// it are not (`Random::transfer`).
   virtual void transfer(StateArchive&) {}
+  /// The run is over, no step follows (`Simulation::finish`). The place for completing files, since a destructor can't
+  /// report that this failed. Also called if the system was switched off.
+  /// @throws std::exception if the system's files are not complete; `pongsim run` then exits with code 1.
+  virtual void finish() {}
 };
 
 /// Version of the interface between system libraries and pongsim. Libraries with another version are not loaded.
-inline constexpr std::uint32_t kAbiVersion = 7;
+inline constexpr std::uint32_t kAbiVersion = 8;
 
 /// A system in a library.
 struct SystemEntry {

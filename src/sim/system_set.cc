@@ -343,6 +343,15 @@ void SystemSet::jump() {
   for (SystemSlot& slot : slots_) slot.reset();
 }
 
+Outcome<void> SystemSet::finish() {
+  Outcome<void> outcome;
+  for (SystemSlot& slot : slots_) {
+    const Outcome<void> done = slot.finish();
+    if (!done) outcome.error += (outcome.error.empty() ? "" : "; ") + slot.label() + ": " + done.error;
+  }
+  return outcome;
+}
+
 std::vector<std::string> SystemSet::save() {
   std::vector<std::string> saved;
   for (SystemSlot& slot : slots_) {

@@ -77,6 +77,9 @@ class SystemSet {
   /// Notifies the systems that the time was set, by `reset`.
   void jump();
 
+  /// Lets all complete what they write; like `Simulation::finish`.
+  Outcome<void> finish();
+
   /// @return The state of each system with its random stream.
   std::vector<std::string> save();
   /// Restores that state.

@@ -3,9 +3,11 @@
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "pongsim/simulation.hh"
+#include "pongsim/system.hh"
 
 namespace pongsim {
 namespace {
@@ -102,6 +104,24 @@ TEST(SystemSet, ReportsAllPluginsThatAreNotThereAtOnce) {
   int errors = 0;
   for (const Diagnostic& diagnostic : diagnostics.all()) errors += diagnostic.severity == Severity::kError ? 1 : 0;
   EXPECT_EQ(errors, 2);
+}
+
+/// Writes files, as recorders do, and can't complete them.
+class Incomplete final : public System {
+ public:
+  void configure(const SystemContext&) override {}
+  void postUpdate(const StepInfo&) override { throw std::runtime_error("disk full"); }
+  void finish() override { throw std::runtime_error("a.log is incomplete"); }
+};
+
+TEST(SystemSet, TellsAtTheEndWhoHasNotCompletedItsFiles) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(world(""), "world.sdf", {}, diagnostics);
+  EXPECT_TRUE(simulation->finish());
+  for (const char* name : {"one", "other"}) simulation->addSystem(name, std::make_unique<Incomplete>(), diagnostics);
+  // which switches them off
+  simulation->step(10);
+  EXPECT_EQ(simulation->finish().error, "one: a.log is incomplete; other: a.log is incomplete");
 }
 
 // what a world's systems are told of, and with it the systems of its models

@@ -151,6 +151,18 @@ void SystemSlot::transfer(StateArchive& archive) {
   parts_.system->transfer(archive);
 }
 
+Outcome<void> SystemSlot::finish() {
+  const base::RunningPart running(crashName_.c_str(), "in finish");
+  try {
+    system().finish();
+  } catch (const std::exception& error) {
+    return {error.what()};
+  } catch (...) {
+    return {"it threw something other than a std::exception"};
+  }
+  return {};
+}
+
 void SystemSlot::reset() {
   run("in reset", [this] { system().reset(); });
 }

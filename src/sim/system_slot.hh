@@ -14,6 +14,7 @@
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
+#include "pongsim/outcome.hh"
 #include "pongsim/system.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/edit_queue.hh"
@@ -100,6 +101,8 @@ class SystemSlot final : public CallGuard {
   void postUpdate(const StepInfo& info);
   void worldChanged();
   void reset();
+  /// Lets it complete its files, also if it is switched off or set aside.
+  Outcome<void> finish();
   /// Saves or restores its state, with its random stream.
   void transfer(StateArchive& archive);
 

@@ -59,8 +59,13 @@ class ColladaWorldExporter : public System {
       writeAll();
       log_->info("the world is exported into the folder ./" + std::string(world_->name()));
     } catch (const std::exception& error) {
-      log_->error(std::string("the world can't be exported: ") + error.what());
+      failure_ = std::string("the world can't be exported: ") + error.what();
+      throw std::runtime_error(failure_);
     }
+  }
+
+  void finish() override {
+    if (!failure_.empty()) throw std::runtime_error(failure_);
   }
 
  private:
@@ -89,6 +94,7 @@ class ColladaWorldExporter : public System {
   World* world_ = nullptr;
   const Logger* log_ = nullptr;
   bool isDone_ = false;
+  std::string failure_;
 };
 
 }  // namespace

@@ -136,8 +136,10 @@ TEST(ColladaWorldExporter, SaysWhereItCantWriteAndTheRestRuns) {
   testing::internal::CaptureStderr();
   world.step(100);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("collada-world-exporter: the world can't be exported: "), std::string::npos) << said;
+  EXPECT_NE(said.find("collada-world-exporter: failed in postUpdate: the world can't be exported: "), std::string::npos)
+      << said;
   EXPECT_LT(world.model("m").pose().position.z(), -0.01);
+  EXPECT_NE(world.simulation().finish().error.find("the world can't be exported: "), std::string::npos);
 }
 
 TEST(ColladaWorldExporter, RefusesANameThatLeadsElsewhere) {

@@ -150,6 +150,18 @@ std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t w
   };
 }
 
+/// Lets the worlds' systems complete their files, such as recordings.
+/// @return Whether all are complete; otherwise it was reported.
+bool finish(const Worlds& worlds) {
+  bool areComplete = true;
+  for (const auto& world : worlds) {
+    const Outcome<void> finished = world->finish();
+    if (!finished) sayError(finished.error);
+    areComplete = areComplete && finished;
+  }
+  return areComplete;
+}
+
 /// Warns about Fortress options and variables that have no effect.
 void warnOfIgnored(const FortressRunOptions& options) {
   for (const std::string& sentence : options.check()) say("warning: " + sentence);
@@ -191,7 +203,8 @@ int runWorlds(const RunCommandOptions& options) {
   server.run();
   tellStopping();
   if (options.hash && isPrinted) isPrinted = printHashes(worlds);
-  return isPrinted ? kDone : kFailed;
+  const bool areComplete = finish(worlds);
+  return isPrinted && areComplete ? kDone : kFailed;
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {

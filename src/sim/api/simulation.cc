@@ -193,6 +193,8 @@ void Simulation::stepPaused() {
   advance(Time::zero());
 }
 
+Outcome<void> Simulation::finish() { return parts_->systems.finish(); }
+
 void Simulation::Parts::stepEngine(Time dt) {
   sim::Editor(access).cutPower();
   access.engine.step(dt, access.state);
