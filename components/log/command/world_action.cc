@@ -1,6 +1,7 @@
 #include <ignition/msgs/stringmsg.pb.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "log/command/command.hh"
 #include "log/playback/played_files.hh"
 #include "log/playback/played_sdf.hh"
+#include "log/store/failure.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "shared/program/console.hh"
 #include "shared/program/failure.hh"
@@ -25,6 +27,14 @@ std::string worldNameIn(const TlogReader& reader) {
       return topic.substr(kPrefix.size(), topic.size() - kPrefix.size() - kSuffix.size());
   }
   return "default";
+}
+
+bool hasStates(const TlogReader& reader) {
+  return std::ranges::any_of(reader.topics(), [](const Topic& topic) {
+    const bool isState =
+        topic.type == "ignition.msgs.SerializedStateMap" || topic.type == "ignition.msgs.SerializedState";
+    return isState && topic.count > 0;
+  });
 }
 
 /// @return The recorded world in SDF; empty if there is none.
@@ -46,6 +56,10 @@ std::string recordedWorld(const TlogReader& reader) {
 int printWorld(const std::string& path) {
   const PlayedFiles files(path);
   const TlogReader reader(files.stateFile());
+  if (!hasStates(reader)) {
+    throw Failure("'" + path + "' contains no state of a world",
+                  "its recording ended before the first state was written");
+  }
   const std::string world = recordedWorld(reader);
   if (world.empty()) {
     cli::say("the recording does not contain the world's SDF: the models are made from the states");

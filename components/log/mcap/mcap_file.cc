@@ -88,6 +88,7 @@ void McapFile::finish(const std::vector<mcap::Schema>& schemas, const std::vecto
   writer.number(crc32Of(summary));
   writer.raw(mcap::kMagic);
   file_.write(summary);
+  file_.close();
 }
 
 }  // namespace pongsim::log

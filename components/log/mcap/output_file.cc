@@ -19,17 +19,25 @@ OutputFile::OutputFile(std::filesystem::path path, bool overwrites)
   throw Failure("'" + path_.string() + "' can't be created: " + std::strerror(errno));
 }
 
-OutputFile::~OutputFile() { ::close(number_); }
+OutputFile::~OutputFile() {
+  if (number_ >= 0) ::close(number_);
+}
+
+void OutputFile::fail() const {
+  const int error = errno;
+  throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
+                error == ENOSPC || error == EDQUOT ? "free disk space; what has been written is readable" : "");
+}
+
+void OutputFile::close() {
+  if (::close(std::exchange(number_, -1)) != 0 && errno != EINTR) fail();
+}
 
 void OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(number_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int error = errno;
-      throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
-                    error == ENOSPC || error == EDQUOT ? "free disk space; what has been written is readable" : "");
-    }
+    if (count < 0) fail();
     bytes.remove_prefix(static_cast<std::size_t>(count));
     size_ += static_cast<std::uint64_t>(count);
   }

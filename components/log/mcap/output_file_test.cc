@@ -47,5 +47,13 @@ TEST_F(OutputFileTest, SaysWhyItCannotBeWritten) {
   EXPECT_EQ(full.size(), 0U);
 }
 
+TEST_F(OutputFileTest, TakesNothingWhenItIsClosed) {
+  OutputFile file(path_, false);
+  file.write("abc");
+  file.close();
+  EXPECT_EQ(samples::bytesOf(path_), "abc");
+  EXPECT_THROW(file.write("d"), Failure);
+}
+
 }  // namespace
 }  // namespace pongsim::log

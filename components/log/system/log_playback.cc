@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "log/store/failure.hh"
+#include "log/system/leave_out.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/scene.hh"
 
@@ -28,7 +29,7 @@ void PlaybackSystem::configure(const SystemContext& context) {
   try {
     open(context);
   } catch (const Failure& why) {
-    refuse(context.sdf, why.what(), why.hint());
+    leaveOut(context, why.what(), why.hint());
   }
 }
 

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "log/system/leave_out.hh"
 #include "pongsim/files/resolved_sdf.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/scene.hh"
@@ -43,7 +44,11 @@ void say(const std::string& message) {
 
 }  // namespace
 
-RecordSystem::~RecordSystem() { finish(); }
+RecordSystem::~RecordSystem() {
+  const bool isKnown = failure_.has_value();
+  end();
+  if (failure_ && !isKnown) log_->error(failure_->what());
+}
 
 void RecordSystem::declare(Declaration& declaration) {
   declaration.is("Records the world's state and topics into a folder, for LogPlayback.", Declaration::Place::kWorld);
@@ -72,9 +77,9 @@ void RecordSystem::configure(const SystemContext& context) {
   try {
     start(context);
   } catch (const Failure& why) {
-    refuse(context.sdf, why.what(), why.hint());
+    leaveOut(context, why.what(), why.hint());
   } catch (const std::invalid_argument& why) {
-    refuse(context.sdf, std::string("<record_topic> ") + why.what());
+    leaveOut(context, std::string("<record_topic> ") + why.what());
   }
 }
 
@@ -96,7 +101,10 @@ void RecordSystem::start(const SystemContext& context) {
   sdf_ = sdf.SerializeAsString();
 
   writer_ = std::make_unique<TlogWriter>(folder_.folder / kStateFile);
-  topicRecorder_.emplace(context.node, topics_, *writer_, [this](const std::exception& why) { fail(why); });
+  topicRecorder_.emplace(context.node, topics_, *writer_, [this](const std::exception& why) {
+    note(why);
+    throw *failure_;
+  });
   stateRecorder_.emplace(Scene(context.world), *writer_, cleanTopic("/world/" + world + "/changed_state"),
                          [this](const Message& step) {
                            if (copies_) copies_->addAllOf(step);
@@ -166,7 +174,8 @@ void RecordSystem::postUpdate(const StepInfo& info) {
     }
     stateRecorder_->record();
   } catch (const Failure& why) {
-    fail(why);
+    note(why);
+    throw *failure_;
   }
 }
 
@@ -174,40 +183,51 @@ void RecordSystem::reset() {
   // times in a log do not go back
   if (!isRecording_ || !last_) return;
   log_->warning("the world was reset: the recording ends here");
-  finish();
-}
-
-void RecordSystem::fail(const std::exception& why) {
-  if (!isRecording_) return;
-  isRecording_ = false;
-  const auto* const failure = dynamic_cast<const Failure*>(&why);
-  const std::string hint = failure == nullptr || failure->hint().empty() ? "" : " (" + failure->hint() + ")";
-  log_->error(std::string("the recording ends: ") + why.what() + hint);
+  end();
+  if (failure_) throw *failure_;
 }
 
 void RecordSystem::finish() {
+  end();
+  if (failure_) throw *failure_;
+}
+
+void RecordSystem::note(const std::exception& why) {
+  isRecording_ = false;
+  if (failure_) return;
+  const auto* const failure = dynamic_cast<const Failure*>(&why);
+  const std::string hint = failure == nullptr || failure->hint().empty() ? "" : " (" + failure->hint() + ")";
+  failure_.emplace(std::string("the recording is incomplete: ") + why.what() + hint);
+}
+
+void RecordSystem::end() {
   if (!writer_) return;
   try {
-    // queued messages first
-    topicRecorder_.reset();
-    stateRecorder_->finish();
-    writer_->close();
-    sink_.reset();
-    console_.close();
-    if (worlds_) {
-      folder_.lock.reset();
-      WorldsFolder::leave(std::move(worlds_), compress_);
-    } else if (compress_) {
-      packRecording(folder_);
-    }
+    complete();
   } catch (const std::exception& why) {
-    fail(why);
+    note(why);
   }
   isRecording_ = false;
   sink_.reset();
   stateRecorder_.reset();
   writer_.reset();
   folder_.lock.reset();
+}
+
+void RecordSystem::complete() {
+  // queued messages first
+  topicRecorder_.reset();
+  stateRecorder_->finish();
+  writer_->close();
+  sink_.reset();
+  console_.close();
+  if (!console_) throw Failure("'" + (folder_.folder / kConsoleFile).string() + "' can't be written");
+  if (worlds_) {
+    folder_.lock.reset();
+    WorldsFolder::leave(std::move(worlds_), compress_);
+  } else if (compress_) {
+    packRecording(folder_);
+  }
 }
 
 }  // namespace pongsim::log

@@ -28,15 +28,18 @@ class RecordSystem final : public System {
   void preUpdate(const StepInfo& info) override;
   void postUpdate(const StepInfo& info) override;
   void reset() override;
+  void finish() override;
 
  private:
   void start(const SystemContext& context);
   void startConsoleLog();
   std::string worldText(const SystemContext& context);
   void publishClock(Time time);
-  void finish();
-  /// Reports why it ends, and stops recording.
-  void fail(const std::exception& why);
+  /// Completes the recording, or notes why that failed.
+  void end();
+  void complete();
+  /// Stops recording, and notes why.
+  void note(const std::exception& why);
 
   std::string path_, zipPath_;
   std::vector<std::string> topics_;
@@ -57,6 +60,8 @@ class RecordSystem final : public System {
   std::optional<Publisher> clock_;
   std::optional<Publisher> sdfPublisher_;
   bool isRecording_ = false;
+  /// Why the recording is not complete.
+  std::optional<Failure> failure_;
   std::optional<Time> last_;
   // last: both recorders write to the writer, and are destroyed before it
   std::unique_ptr<TlogWriter> writer_;

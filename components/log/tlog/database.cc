@@ -16,7 +16,7 @@ constexpr int kBusyTime = 10000;
 const char* hintFor(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "free disk space; what was written before is kept";
+      return "free disk space";
     case SQLITE_NOTADB:
       return "a tlog file is an SQLite database, such as Fortress's state.tlog";
     case SQLITE_CORRUPT:

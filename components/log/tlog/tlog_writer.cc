@@ -25,6 +25,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds kTransactionTime{500};
+/// A transaction also ends after this many bytes: a run as fast as possible writes tens of megabytes in half a second,
+/// and all of a transaction is lost when the disk gets full.
+constexpr std::size_t kTransactionBytes = std::size_t{1} << 20U;
+/// What a message takes beside its payload, roughly.
+constexpr std::size_t kRowBytes = 32;
 constexpr std::size_t kMostWaitingBytes = std::size_t{64} << 20U;
 
 // As in ignition-transport 11; its readers check the version.
@@ -141,7 +146,7 @@ struct TlogWriter::Parts {
       tables.end();
     } catch (const Failure& why) {
       const std::lock_guard lock(mutex);
-      failure = why;
+      failure.emplace(std::string(why.what()) + "; " + std::to_string(kept) + " messages are kept", why.hint());
       waiting.clear();
     }
     taken.notify_all();
@@ -163,14 +168,28 @@ struct TlogWriter::Parts {
     if (batch.rows.empty()) return;
     tables.begin();
     for (const auto& [name, type] : batch.topics) topicIds.push_back(tables.addTopic(name, type));
+    std::size_t written = 0, bytes = 0;
+    const auto commit = [&] {
+      tables.commit();
+      kept += std::exchange(written, 0);
+      bytes = 0;
+    };
     for (const Batch::Row& row : batch.rows) {
+      if (bytes >= kTransactionBytes) {
+        commit();
+        tables.begin();
+      }
       tables.addMessage(row.timeNs, topicIds[row.topic], std::string_view(batch.bytes).substr(row.begin, row.size));
+      ++written;
+      bytes += row.size + kRowBytes;
     }
-    tables.commit();
+    commit();
   }
 
   Tables tables;
-  /// Indexed by topic number; used by the thread only.
+  /// Messages in completed transactions; used by the thread only, like the next one.
+  std::uint64_t kept = 0;
+  /// Indexed by topic number.
   std::vector<std::int64_t> topicIds;
 
   std::mutex mutex;

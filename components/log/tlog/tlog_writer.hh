@@ -8,7 +8,8 @@
 namespace pongsim::log {
 
 /// Writes Fortress's log files: an SQLite database with schema 0.1.0 of ignition-transport's logs. Writing happens on a
-/// thread of its own, with half a second of records in each transaction. Meanwhile a file NAME-wal belongs to the log.
+/// thread of its own, with half a second of records in each transaction, or
+/// 1 MiB if there are more. Meanwhile a file NAME-wal belongs to the log.
 class TlogWriter final : public Writer {
  public:
   /// @param file Replaced if it exists.
