@@ -2,11 +2,13 @@
 
 #include <zip.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -46,13 +48,19 @@ fs::path placeOf(const std::string& name) {
   return path;
 }
 
-void unpackEntry(zip_t* zip, zip_uint64_t index, const fs::path& target) {
+/// @param size Its claimed size [bytes].
+void unpackEntry(zip_t* zip, zip_uint64_t index, std::uint64_t size, const fs::path& target) {
   const std::unique_ptr<zip_file_t, Closer> entry(zip_fopen_index(zip, index, 0));
   std::ofstream stream(target, std::ios::binary);
   std::array<char, 65536> part{};
+  std::uint64_t done = 0;
   zip_int64_t count = entry ? 0 : -1;
-  while (entry && (count = zip_fread(entry.get(), part.data(), part.size())) > 0) stream.write(part.data(), count);
-  if (count < 0) throw Failure("the zip file is damaged where it has '" + target.filename().string() + "'");
+  while (stream && done <= size && entry && (count = zip_fread(entry.get(), part.data(), part.size())) > 0) {
+    stream.write(part.data(), count);
+    done += static_cast<std::uint64_t>(count);
+  }
+  if (count < 0 || (stream && done != size))
+    throw Failure("the zip file is damaged where it has '" + target.filename().string() + "'");
   stream.close();
   if (!stream) throw Failure("'" + target.string() + "' can't be written: " + std::strerror(errno));
 }
@@ -79,9 +87,13 @@ void packFolder(const fs::path& folder, const fs::path& zipFile) {
   static_cast<void>(zip.release());
 }
 
-void unpackZip(const fs::path& zipFile, const fs::path& folder) {
+void unpackZip(const fs::path& zipFile, const fs::path& folder, const ZipLimits& limits) {
   const Archive zip = openZip(zipFile, ZIP_RDONLY | ZIP_CHECKCONS);
   const auto count = static_cast<zip_uint64_t>(zip_get_num_entries(zip.get(), 0));
+  if (count > limits.files) {
+    throw Failure("the zip file was refused: it has " + std::to_string(count) + " files, and " +
+                  std::to_string(limits.files) + " is the limit");
+  }
   std::vector<zip_stat_t> stats(count);
   std::uint64_t total = 0;
   for (zip_uint64_t i = 0; i < count; ++i) {
@@ -90,7 +102,14 @@ void unpackZip(const fs::path& zipFile, const fs::path& folder) {
     if (zip_stat_index(zip.get(), i, 0, &stats[i]) != 0 || (stats[i].valid & needed) != needed)
       throw Failure("'" + zipFile.string() + "' is damaged: " + zip_strerror(zip.get()));
     placeOf(stats[i].name);
-    total += stats[i].size;
+    // sums of claims can wrap
+    total += std::min(stats[i].size, std::numeric_limits<std::uint64_t>::max() - total);
+  }
+  const std::uint64_t packed = fs::file_size(zipFile);
+  if (total > limits.free + limits.ratio * packed) {
+    throw Failure(
+        "the zip file was refused: its " + std::to_string(packed) + " bytes would become " + std::to_string(total),
+        "if you trust it, unpack it yourself and play the folder");
   }
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
@@ -103,7 +122,7 @@ void unpackZip(const fs::path& zipFile, const fs::path& folder) {
     const std::string name = stats[i].name;
     const fs::path target = folder / placeOf(name);
     fs::create_directories(name.ends_with('/') ? target : target.parent_path());
-    if (!name.ends_with('/')) unpackEntry(zip.get(), i, target);
+    if (!name.ends_with('/')) unpackEntry(zip.get(), i, stats[i].size, target);
   }
 }
 

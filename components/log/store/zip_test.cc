@@ -85,5 +85,38 @@ TEST_F(ZipTest, IsNotWrittenWhereItsFolderIsMissing) {
   EXPECT_THROW(packFolder(folder_.path() / "rec", folder_.path() / "none/rec.zip"), Failure);
 }
 
+TEST_F(ZipTest, IsRefusedIfItBecomesTooLargeOrTooMany) {
+  folder_.write("rec/state.tlog", std::string(3'000'000, '\0'));
+  folder_.write("rec/b", "x");
+  packFolder(folder_.path() / "rec", zip_);
+  const auto refusal = [&](const ZipLimits& limits) -> std::string {
+    try {
+      unpackZip(zip_, out_, limits);
+    } catch (const Failure& failure) {
+      return failure.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal({.free = 1000}),
+            "the zip file was refused: its " + std::to_string(fs::file_size(zip_)) + " bytes would become 3000001");
+  EXPECT_NE(refusal({.files = 1}).find("files, and 1 is the limit"), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(out_));
+  EXPECT_EQ(refusal({}), "");
+}
+
+TEST_F(ZipTest, UnpacksNoMoreThanItClaims) {
+  folder_.write("rec/state.tlog", std::string(300'000, 'x'));
+  packFolder(folder_.path() / "rec", zip_);
+  std::string bytes = contentOf(zip_);
+  // APPNOTE 4.3.12: the size in the entry's record of the directory, and, in 4.3.7, in its own head
+  const std::string size("\xe0\x93\x04\x00", 4), less("\xe0\x93\x00\x00", 4);
+  std::size_t changed = 0;
+  for (std::size_t at = bytes.find(size); at != std::string::npos; at = bytes.find(size, at + 1), ++changed)
+    bytes.replace(at, 4, less);
+  ASSERT_EQ(changed, 2U);
+  folder_.write("rec.zip", bytes);
+  EXPECT_EQ(refusalOf(zip_), "the zip file is damaged where it has 'state.tlog'");
+}
+
 }  // namespace
 }  // namespace pongsim::log
