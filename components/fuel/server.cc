@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 #include "fuel/failure.hh"
 
@@ -10,56 +10,9 @@ namespace pongsim::fuel {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// Limit of pages, in case a server always reports another one.
 constexpr int kMostPages = 10'000;
 constexpr std::size_t kLongestLink = 16'384;
-
-/// Text that is safe to print on a terminal: without control characters.
-std::string plain(std::string text) {
-  for (char& each : text) {
-    if (static_cast<unsigned char>(each) < 0x20 || each == 0x7f) each = ' ';
-  }
-  return text;
-}
-
-std::string textIn(const Json& json, const char* name) {
-  const auto found = json.find(name);
-  return found != json.end() && found->is_string() ? plain(found->get<std::string>()) : "";
-}
-
-template <class Number>
-Number numberIn(const Json& json, const char* name) {
-  const auto found = json.find(name);
-  return found != json.end() && found->is_number_unsigned() ? found->get<Number>() : Number{};
-}
-
-Details detailsOf(const Json& json) {
-  if (!json.is_object()) throw Failure("the server's answer is not a list of models");
-  Details details;
-  details.owner = textIn(json, "owner");
-  details.name = textIn(json, "name");
-  details.version = numberIn<int>(json, "version");
-  details.bytes = numberIn<std::uint64_t>(json, "filesize");
-  details.isPrivate = json.contains("private") && json["private"].is_boolean() && json["private"].get<bool>();
-  details.description = textIn(json, "description");
-  details.license = textIn(json, "license_name");
-  details.created = textIn(json, "createdAt");
-  details.updated = textIn(json, "updatedAt");
-  if (const auto tags = json.find("tags"); tags != json.end() && tags->is_array()) {
-    for (const Json& tag : *tags) {
-      if (tag.is_string()) details.tags.push_back(plain(tag.get<std::string>()));
-    }
-  }
-  return details;
-}
-
-Json parsed(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw PassingFailure("the server's answer can't be read: it is not JSON", "try again later");
-  return json;
-}
 
 int versionIn(const Answer& answer) {
   for (const char* name : {"x-ign-resource-version", "x-gz-resource-version"}) {
@@ -105,9 +58,7 @@ Request FuelServer::requestFor(const std::string& path) const {
 }
 
 Details FuelServer::details(const FuelAddress& address) {
-  Details details = detailsOf(parsed(http_.text(requestFor(pathOf(address)))));
-  if (details.name.empty()) throw Failure("the server's answer does not describe a model or world");
-  return details;
+  return parseDetails(http_.text(requestFor(pathOf(address))));
 }
 
 std::vector<Details> FuelServer::pages(const std::string& path) {
@@ -124,11 +75,9 @@ std::vector<Details> FuelServer::pages(const std::string& path) {
     // the page after the last one
     if (page > 1 && answer.status == 404) return all;
     if (answer.status >= 300) refuse(answer);
-    const Json json = parsed(text);
-    if (json.is_null()) return all;
-    if (!json.is_array()) throw Failure("the server's answer is not a list of models");
-    if (json.empty()) return all;
-    for (const Json& each : json) all.push_back(detailsOf(each));
+    std::vector<Details> found = parseDetailsList(text);
+    if (found.empty()) return all;
+    std::ranges::move(found, std::back_inserter(all));
   }
   return all;
 }

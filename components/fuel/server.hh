@@ -6,23 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "fuel/details.hh"
 #include "fuel/http.hh"
 #include "fuel/settings.hh"
 #include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
-
-/// A server's information about a model or world.
-struct Details {
-  std::string owner;
-  std::string name;
-  /// The newest version; 0: unknown.
-  int version = 0;
-  std::uint64_t bytes = 0;
-  bool isPrivate = false;
-  std::string description, license, created, updated;
-  std::vector<std::string> tags;
-};
 
 /// A list of models and worlds: "https://fuel.gazebosim.org/1.0/OWNER/collections/NAME".
 struct Collection {
