@@ -75,7 +75,7 @@ class PONGSIM_API CommsSystem : public System {
   void carry(const std::string& address, const Binding& from, Dataframe& message);
   std::string whyDetached(const std::string& address, const Binding& binding) const;
   std::optional<Model> find(const std::string& name) const;
-  void restore(const std::vector<Saved>& all);
+  void restore(const std::vector<Saved>& all, StateArchive& archive);
 
   std::optional<double> stepSize_;
   const Logger* log_ = nullptr;

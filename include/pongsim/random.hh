@@ -32,6 +32,8 @@ class PONGSIM_API Random {
   void transfer(StateArchive& archive) {
     archive(state_);
     archive(increment_);
+    // an even one may repeat a number for ever
+    archive.check(increment_ % 2 == 1);
     archive(spare_);
     archive(hasSpare_);
   }

@@ -196,7 +196,8 @@ class PONGSIM_API Simulation {
   std::vector<std::byte> saveState();
 
   /// Restores a saved state, from which the world continues with the same bits. It must be the same world with the same
-  /// seed, models, systems and joints; otherwise it is refused.
+  /// seed, models, systems and joints; otherwise it is refused. So is a damaged or forged state, as far as its values
+  /// show it.
   Outcome<void> restoreState(std::span<const std::byte> state);
 
   static constexpr Time kLongestStep = std::chrono::seconds(1);

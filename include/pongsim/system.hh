@@ -83,7 +83,7 @@ class PONGSIM_API System {
   virtual void worldChanged() {}
   /// Writes the system's state between steps to `archive`, or reads it back. A system that does not save its state
   /// keeps its current one when a state is restored. The random stream of the context is saved automatically, copies of
-  /// it are not (`Random::transfer`).
+  /// it are not (`Random::transfer`). What is read may have been forged: `StateArchive::check` what you rely on.
   virtual void transfer(StateArchive&) {}
   /// The run is over, no step follows (`Simulation::finish`). The place for completing files, since a destructor can't
   /// report that this failed. Also called if the system was switched off.

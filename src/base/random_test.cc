@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
 
 namespace pongsim {
 namespace {
@@ -62,6 +67,17 @@ TEST(Random, SpreadsUniformlyOverTheUnitInterval) {
     sum += value;
   }
   EXPECT_NEAR(sum / kCount, 0.5, 0.005);
+}
+
+// from such a stream a normally distributed number might never come
+TEST(Random, RefusesAStreamThatRepeatsItself) {
+  Random random(1, "test");
+  StateArchive taking;
+  random.transfer(taking);
+  std::vector<std::byte> bytes = taking.take();
+  std::fill_n(bytes.begin(), 2 * sizeof(std::uint64_t), std::byte{0});
+  StateArchive giving(bytes);
+  EXPECT_THROW(random.transfer(giving), std::out_of_range);
 }
 
 TEST(Random, HasTheMeanAndDeviationAskedFor) {

@@ -11,4 +11,14 @@ inline constexpr double kLargestGravity = 1e6;
 /// Of a joint [m/s or rad/s].
 inline constexpr double kLargestVelocity = 1e8;
 
+/// Bounds of what a saved state may contain: whatever a step leaves is well within them.
+/// Of each coordinate of a link, whose position is a sum of positions [m].
+inline constexpr double kFarthestSaved = 10 * kLargestPosition;
+/// Of each component of a link's velocity [m/s or rad/s].
+inline constexpr double kFastestSaved = 1e10;
+/// Of a step, as in files [s].
+inline constexpr double kLongestSavedStep = 1e6;
+/// Of each component of a force on a link or joint between two steps [N or N m].
+inline constexpr double kStrongestSaved = 1e12;
+
 }  // namespace pongsim::description

@@ -29,6 +29,18 @@ btVector3 shortened(const btVector3& vector, double most) {
   return length > most && std::isfinite(length) ? vector * (most / length) : vector;
 }
 
+/// @return Whether the rows are those of a rotation matrix, but for rounding.
+bool isRotation(const btMatrix3x3& matrix) {
+  constexpr double kRounding = 1e-6;
+  const btMatrix3x3 product = matrix * matrix.transpose();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      if (!(std::abs(product[row][column] - (row == column ? 1 : 0)) < kRounding)) return false;
+    }
+  }
+  return matrix.determinant() > 0;
+}
+
 PrincipalMass massOf(const world::Entities& entities, const world::LinkRecord& link) {
   if (!isMoving(link)) return {};
   try {
@@ -142,6 +154,9 @@ void Body::transfer(StateArchive& archive) {
   btVector3 force = rigid_.getTotalForce();
   btVector3 torque = rigid_.getTotalTorque();
   for (btVector3* vector : {&linear, &angular, &force, &torque}) transferVector(archive, *vector);
+  archive.check(isWithin(transform.getOrigin(), description::kFarthestSaved) && isRotation(transform.getBasis()) &&
+                isWithin(linear, description::kFastestSaved) && isWithin(angular, description::kFastestSaved) &&
+                isWithin(force, description::kStrongestSaved) && isWithin(torque, description::kStrongestSaved));
   shape_.transfer(archive);
   if (!archive.isGiving()) return;
   rigid_.setWorldTransform(transform);

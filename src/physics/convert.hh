@@ -15,6 +15,11 @@ inline Vector3 fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Quaternion fromBullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 inline Pose fromBullet(const btTransform& X) { return {fromBullet(X.getOrigin()), fromBullet(X.getRotation())}; }
 
+/// @return Whether each component is at most `bound`.
+inline bool isWithin(const btVector3& vector, double bound) {
+  return vector.absolute()[vector.absolute().maxAxis()] <= bound;
+}
+
 inline void transferVector(StateArchive& archive, btVector3& vector) {
   for (int i = 0; i < 3; ++i) archive(vector[i]);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/arena.hh"
+#include "description/limits.hh"
 #include "physics/body.hh"
 #include "physics/contacts/contact_filter.hh"
 #include "physics/contacts/contact_list.hh"
@@ -253,7 +254,8 @@ void Engine::Parts::setAside(const world::Entities::Switched& switched) {
 void Engine::Parts::transferKeptTouches(StateArchive& archive) {
   std::size_t count = keptTouches.size();
   archive(count);
-  if (archive.isGiving()) keptTouches.resize(std::min(count, archive.rest().size()));
+  archive.check(count <= archive.rest().size());
+  if (archive.isGiving()) keptTouches.assign(count, KeptTouch());
   for (KeptTouch& touch : keptTouches) {
     // ids may be others in another run
     for (LinkId* id : {&touch.linkA, &touch.linkB}) {
@@ -389,6 +391,7 @@ void Engine::setLinkPose(world::Slot link, const Pose& X_WorldLink) {
 void Engine::transfer(StateArchive& archive) {
   if (archive.isGiving()) reset();
   archive(parts_->dt);
+  archive.check(parts_->dt >= 0 && parts_->dt <= description::kLongestSavedStep);
   for (const auto& body : parts_->bodies) body->transfer(archive);
   for (const auto& joint : parts_->joints) joint->transfer(archive);
   if (archive.isGiving()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "description/limits.hh"
 #include "physics/convert.hh"
 #include "pongsim/geometry/rotation_between.hh"
 #include "pongsim/math.hh"
@@ -231,6 +232,9 @@ void Joint::transfer(StateArchive& archive) {
     if (hasTarget) archive(*axis.velocityTarget);
     for (double* value : {&axis.force, &axis.position, &axis.velocity, &axis.appliedForce}) archive(*value);
     transferVector(archive, axis.appliedAlong);
+    archive.check(std::abs(axis.velocityTarget.value_or(0)) <= description::kFastestSaved &&
+                  std::abs(axis.velocity) <= description::kFastestSaved &&
+                  std::abs(axis.force) <= description::kStrongestSaved);
   }
   archive(isMeasured_);
   for (btVector3* vector : {&force_, &torque_, &childArm_}) transferVector(archive, *vector);

@@ -224,8 +224,9 @@ void Levels::transfer(StateArchive& archive) {
   }
   std::size_t count = made.size();
   archive(count);
+  archive.check(count <= archive.rest().size());
   if (archive.isGiving()) {
-    made.assign(std::min(count, archive.rest().size()), PerformerOfLevels());
+    made.assign(count, PerformerOfLevels());
     std::erase_if(performers_, [](const PerformerOfLevels& performer) { return !performer.isOfFile; });
   }
   for (PerformerOfLevels& performer : made) {
@@ -234,6 +235,7 @@ void Levels::transfer(StateArchive& archive) {
     archive(performer.id);
     archive(performer.name);
     archive(performer.size);
+    archive.check(performer.size.minCoeff() > 0);
     archive(model);
     if (!archive.isGiving()) continue;
     const world::Slot found = access_.entities.findModel(model);

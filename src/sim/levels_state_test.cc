@@ -12,11 +12,15 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <random>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "pongsim/simulation.hh"
+#include "support/sim/forged_state.hh"
 #include "support/sim/level_world.hh"
 
 namespace pongsim {
@@ -187,6 +191,37 @@ TEST(LevelSensors, GoOnWithTheirNoise) {
   simulation->transport().dispatch();
   ASSERT_GE(readings.size(), 211U);
   EXPECT_LT(std::abs(readings[201]), 0.01) << "it does not begin anew";
+}
+
+TEST(LevelState, LeavesNoTraceWhereItIsForged) {
+  const auto simulation = play();
+  simulation->step(100);
+  place(*simulation, "scout", kFar);
+  simulation->step(10);
+  EXPECT_FALSE(simulation->world().model("rover"));
+  const std::vector<std::byte> state = simulation->saveState();
+  // what no level has
+  std::vector<std::byte> forged = state;
+  const std::string_view member = "model crate", stranger = "model other";
+  const auto found = std::ranges::search(forged, std::as_bytes(std::span(member)));
+  ASSERT_FALSE(found.empty());
+  std::ranges::copy(std::as_bytes(std::span(stranger)), found.begin());
+  EXPECT_EQ(simulation->restoreState(test::withChecksum(forged)).error,
+            "the saved state has unloaded levels that can't be here");
+  EXPECT_EQ(simulation->saveState(), state);
+
+  std::mt19937_64 random(46);
+  for (int i = 0; i < 200; ++i) {
+    const Outcome<void> restored = simulation->restoreState(test::forged(state, random));
+    if (restored) {
+      simulation->step(20);
+      ASSERT_TRUE(simulation->restoreState(state)) << i;
+    }
+    ASSERT_EQ(simulation->saveState(), state) << i << ": " << restored.error;
+  }
+  place(*simulation, "scout", Vector3::Zero());
+  simulation->step(10);
+  EXPECT_TRUE(simulation->world().model("rover"));
 }
 
 TEST(LevelScene, IsToldWhoComesAndGoes) {

@@ -364,11 +364,19 @@ std::vector<std::string> SystemSet::save() {
 }
 
 void SystemSet::restore(const std::vector<std::string>& saved, bool awakeOnly) {
+  if (saved.size() != slots_.size()) throw std::runtime_error("it is of other systems");
   auto next = saved.begin();
   for (SystemSlot& slot : slots_) {
     StateArchive archive(std::as_bytes(std::span(next->data(), next->size())));
     ++next;
-    if (!awakeOnly || !slot.isResting()) slot.transfer(archive);
+    if (awakeOnly && slot.isResting()) continue;
+    try {
+      slot.transfer(archive);
+    } catch (const std::exception& error) {
+      throw std::runtime_error("system " + slot.name() + ": " + error.what());
+    }
+    if (!archive.rest().empty())
+      throw std::runtime_error("system " + slot.name() + ": it has more than the system reads");
   }
 }
 

@@ -83,6 +83,7 @@ class SystemSet {
   /// @return The state of each system with its random stream.
   std::vector<std::string> save();
   /// Restores that state.
+  /// @throws std::runtime_error if it is not that of these systems; then some are restored.
   /// @param awakeOnly Skips systems that are set aside, whose entities do not exist now.
   void restore(const std::vector<std::string>& saved, bool awakeOnly);
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/hash.hh"
+#include "description/limits.hh"
+#include "pongsim/handles.hh"
 
 namespace pongsim::world {
 
@@ -17,6 +19,8 @@ void add(base::Hash& hash, const Vector3& vector) {
 void add(base::Hash& hash, const Quaternion& rotation) {
   for (const double value : {rotation.w(), rotation.x(), rotation.y(), rotation.z()}) hash.add(value);
 }
+
+bool isWithin(const Vector3& vector, double bound) { return vector.cwiseAbs().maxCoeff() <= bound; }
 
 Place placeOf(const description::SphericalCoordinates& place) {
   return {place.isGiven, {place.latitude, place.longitude, place.elevation}, place.heading};
@@ -67,6 +71,7 @@ void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<doub
     return;
   }
   actuators.clear();
+  archive.check(count <= archive.rest().size());
   for (std::size_t i = 0; i < count; ++i) {
     ModelId model;
     archive(model.value);
@@ -82,16 +87,24 @@ void transfer(StateArchive& archive, State& state) {
   archive(state.gravity);
   archive(state.stepSize);
   archive(state.realTimeFactor);
+  // far from the last time, so that what follows can be saved, too
+  archive.check(state.time >= Time::zero() && state.time <= StateArchive::kLastTime / 2 &&
+                isWithin(state.gravity, description::kLargestGravity) && state.stepSize > Time::zero() &&
+                toSeconds(state.stepSize) <= description::kLongestSavedStep && state.realTimeFactor >= 0);
   archive(state.place.isKnown);
   for (double* value : {&state.place.origin.latitude, &state.place.origin.longitude, &state.place.origin.altitude,
                         &state.place.heading}) {
     archive(*value);
   }
   archive(state.wind);
+  archive.check(state.wind.stableNorm() <= kFastestWind);
   for (LinkState& link : state.links) {
     archive(link.X_WorldLink);
     archive(link.v_WorldLink);
     archive(link.w_WorldLink);
+    archive.check(isWithin(link.X_WorldLink.position, description::kFarthestSaved) &&
+                  isWithin(link.v_WorldLink, description::kFastestSaved) &&
+                  isWithin(link.w_WorldLink, description::kFastestSaved));
   }
   for (JointState& joint : state.joints) {
     for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);

@@ -14,6 +14,13 @@ namespace pongsim::log {
 
 namespace im = ignition::msgs;
 
+namespace {
+
+// no world contains what is farther away [m]
+constexpr double kFarthest = 1e9;
+
+}  // namespace
+
 void RecordedState::clear() {
   entities_.clear();
   changed_.clear();
@@ -103,7 +110,9 @@ std::uint64_t RecordedState::parentOf(std::uint64_t entity) const {
 
 Pose RecordedState::poseOf(std::uint64_t entity) const {
   const std::string* const bytes = find(entity, "Pose");
-  return bytes == nullptr ? Pose() : componentPose(*bytes).value_or(Pose());
+  const Pose pose = bytes == nullptr ? Pose() : componentPose(*bytes).value_or(Pose());
+  const bool isSound = pose.position.cwiseAbs().maxCoeff() <= kFarthest && pose.rotation.coeffs().allFinite();
+  return isSound && pose.position.allFinite() ? pose : Pose();
 }
 
 std::vector<double> RecordedState::numbersOf(std::uint64_t entity, std::string_view component) const {

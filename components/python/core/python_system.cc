@@ -67,13 +67,21 @@ void PythonSystem::call(const Method& method, const StepInfo* info) {
 
 void PythonSystem::transfer(StateArchive& archive) {
   if (!save_ || !restore_) return;
-  std::string bytes;
-  guarded([&] {
-    const py::module_ pickle = py::module_::import("pickle");
-    if (!archive.isGiving()) bytes = pickle.attr("dumps")(save_->get()()).cast<std::string>();
+  const py::gil_scoped_acquire gil;
+  try {
+    const py::module_ values = py::module_::import("pongsim.saved_value");
+    std::string bytes;
+    if (!archive.isGiving()) {
+      bytes = values.attr("encode")(save_->get()(), py::type::of(self_->get()).attr("__name__")).cast<std::string>();
+    }
     archive(bytes);
-    if (archive.isGiving()) restore_->get()(pickle.attr("loads")(py::bytes(bytes)));
-  });
+    if (archive.isGiving()) restore_->get()(values.attr("decode")(py::bytes(bytes)));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) return life_.noteError(error);
+    // whoever saves gets the exception itself; whoever restores, a refusal
+    if (!archive.isGiving()) throw;
+    throw std::runtime_error(describe(error));
+  }
 }
 
 void bindSystems(py::module_& module) {

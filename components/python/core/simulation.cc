@@ -312,7 +312,8 @@ void bindRun(py::class_<Owner>& simulation) {
            "included.")
       .def("restore", &restore, py::arg("state"),
            "Restores a saved state, from which the world continues with the same bits. Raises Refused for a state of "
-           "another world, or with other models, joints or systems.")
+           "another world, or with other models, joints or systems, and for one that is damaged or forged; then nothing "
+           "has changed.")
       .def(
           "state_hash", [](Owner& self) { return self.life->use().stateHash(); },
           "A hash of all bits of the state: equal for two runs of the same world with the same seed and inputs. "

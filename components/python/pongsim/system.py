@@ -50,10 +50,12 @@ class System:
         """Models or joints were added or removed."""
 
     def save(self) -> Any:
-        """Returns its state between steps as any object for `pickle`; part of `Simulation.save`.
+        """Returns its state between steps; part of `Simulation.save`, and called before a `Simulation.restore`, too.
 
-        Only used if `restore` is overridden too.
+        It may consist of None, bool, int, float, complex, str, bytes, lists, tuples, dictionaries and sets, poses
+        (`pongsim.Pose`), and numbers and arrays of NumPy. Only used if `restore` is overridden too. For anything else,
+        `Simulation.save` raises TypeError.
         """
 
     def restore(self, state: Any) -> None:
-        """Restores an object returned by `save`."""
+        """Restores what `save` has returned. Where it raises, the state is refused."""

@@ -95,10 +95,12 @@ void JointDriver::reset() {
 }
 
 void JointDriver::Driven::transfer(StateArchive& archive) {
-  archive(interface);
+  archive(interface, Interface::kEffort);
   archive(position);
   archive(velocity);
   archive(effort);
+  archive.check((interface != Interface::kPosition || position) && (interface != Interface::kVelocity || velocity) &&
+                (interface != Interface::kEffort || effort));
 }
 
 void JointDriver::transfer(StateArchive& archive) {

@@ -29,6 +29,7 @@ class RollingMean {
     for (double& value : values_) archive(value);
     archive(next_);
     archive(count_);
+    archive.check(next_ < kLength && count_ <= kLength);
   }
 
  private:

@@ -48,6 +48,9 @@ class RateWindow {
   void transfer(StateArchive& archive) {
     archive(packets_);
     archive(bytes_);
+    std::uint64_t sum = 0;
+    for (const Packet& packet : packets_) sum += packet.bytes;
+    archive.check(bytes_ == sum);
   }
 
  private:

@@ -1,5 +1,6 @@
 #include <ignition/msgs/boolean.pb.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -69,6 +70,7 @@ class TrajectoryFollower : public System {
   void transfer(StateArchive& archive) override {
     archive(points_);
     archive(next_);
+    archive.check(next_ < std::max<std::size_t>(points_.size(), 1));
     archive(isPaused_);
     archive(keepsHeading_);
   }

@@ -122,7 +122,7 @@ class Elevator : public System {
   }
 
   void transfer(StateArchive& archive) override {
-    machine_->transfer(archive);
+    machine_->transfer(archive, static_cast<int>(doors_.size()));
     archive(lastUpdate_);
     archive(lastState_);
     for (Door& door : doors_) archive(door.isBlocked);

@@ -80,8 +80,8 @@ void ElevatorMachine::reset() {
   wasBlocked_ = false;
 }
 
-void ElevatorMachine::transfer(StateArchive& archive) {
-  archive(phase_);
+void ElevatorMachine::transfer(StateArchive& archive, int floors) {
+  archive(phase_, Phase::kClosing);
   archive(now_);
   archive(floor_);
   archive(targets_);
@@ -89,6 +89,9 @@ void ElevatorMachine::transfer(StateArchive& archive) {
   archive(doorFloor_);
   archive(timeout_);
   archive(wasBlocked_);
+  const auto isFloor = [floors](int floor) { return floor >= 0 && floor < floors; };
+  archive.check(isFloor(floor_) && isFloor(doorFloor_) && std::ranges::all_of(targets_, isFloor) &&
+                std::ranges::all_of(calls_, isFloor) && (phase_ != Phase::kMoving || !targets_.empty()));
 }
 
 }  // namespace pongsim

@@ -40,7 +40,8 @@ class ElevatorMachine {
   void update(Time now, int floor, bool isBlocked);
 
   void reset();
-  void transfer(StateArchive& archive);
+  /// @param floors The number of floors.
+  void transfer(StateArchive& archive, int floors);
 
  private:
   void enqueue(int target);

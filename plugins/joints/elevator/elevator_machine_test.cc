@@ -14,6 +14,8 @@ namespace {
 using Phase = ElevatorMachine::Phase;
 using Orders = std::vector<std::string>;
 
+constexpr int kFloors = 4;
+
 /// An elevator whose cabin and doors are where they are told to be when the test says so.
 class ElevatorMachineTest : public testing::Test {
  protected:
@@ -129,17 +131,31 @@ TEST_F(ElevatorMachineTest, GoesOnFromASavedState) {
   machine_.call(1);
   machine_.call(3);
   StateArchive taking;
-  machine_.transfer(taking);
+  machine_.transfer(taking, kFloors);
   const std::vector<std::byte> bytes = taking.take();
   machine_.reset();
   EXPECT_EQ(machine_.phase(), Phase::kIdle);
   orders();
   StateArchive giving{bytes};
-  machine_.transfer(giving);
+  machine_.transfer(giving, kFloors);
   EXPECT_EQ(machine_.phase(), Phase::kMoving);
   serve(1);
   update(1);
   EXPECT_EQ(orders(), (Orders{"open 1", "close 1", "cabin 3"}));
+}
+
+TEST_F(ElevatorMachineTest, RefusesAStateWithFloorsThatAreNotThere) {
+  update(0);
+  machine_.call(3);
+  StateArchive taking;
+  machine_.transfer(taking, kFloors);
+  std::vector<std::byte> bytes = taking.take();
+  StateArchive ofFewer{bytes};
+  EXPECT_THROW(machine_.transfer(ofFewer, kFloors - 1), std::out_of_range);
+  // the phase
+  bytes[0] = std::byte{5};
+  StateArchive forged{bytes};
+  EXPECT_THROW(machine_.transfer(forged, kFloors), std::out_of_range);
 }
 
 }  // namespace

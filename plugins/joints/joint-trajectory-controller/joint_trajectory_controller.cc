@@ -158,8 +158,9 @@ class JointTrajectoryController : public System {
     for (ControlledJoint& joint : joints_) archive(joint);
     if (!archive.isGiving()) return;
     waiting_.reset();
-    if (!waiting.empty()) waiting_.emplace().ParseFromString(waiting);
+    if (!waiting.empty()) archive.check(waiting_.emplace().ParseFromString(waiting) && !fault(*waiting_));
     findActive();
+    archive.check(std::ranges::find(active_, nullptr) == active_.end());
   }
 
  private:
@@ -170,12 +171,17 @@ class JointTrajectoryController : public System {
     return joints;
   }
 
-  void receive(const ignition::msgs::JointTrajectory& message) {
-    std::optional<std::string> fault = Trajectory::fault(message);
+  /// @return What is wrong with a trajectory, or nothing.
+  std::optional<std::string> fault(const ignition::msgs::JointTrajectory& message) {
+    if (auto fault = Trajectory::fault(message)) return fault;
     for (const std::string& name : message.joint_names()) {
-      if (!fault && find(name) == nullptr) fault = "joint '" + name + "' is not controlled";
+      if (find(name) == nullptr) return "joint '" + name + "' is not controlled";
     }
-    if (fault) return log_->warning("a trajectory was ignored: " + *fault);
+    return std::nullopt;
+  }
+
+  void receive(const ignition::msgs::JointTrajectory& message) {
+    if (const auto found = fault(message)) return log_->warning("a trajectory was ignored: " + *found);
     if (std::ranges::any_of(message.points(), [](const auto& point) { return point.accelerations_size() > 0; })) {
       log_->warning("accelerations of a trajectory are ignored, as in Fortress");
     }

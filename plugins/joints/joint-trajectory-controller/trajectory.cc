@@ -69,6 +69,7 @@ void Trajectory::transfer(StateArchive& archive) {
   archive(start_);
   archive(current_);
   archive(started_);
+  archive.check(current_ < points_.size());
 }
 
 double Trajectory::progress() const { return static_cast<double>(current_ + 1) / static_cast<double>(points_.size()); }

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
 
 namespace pongsim::trajectory_test {
 namespace {
@@ -43,6 +46,22 @@ TEST(Trajectory, OfOnePointCounts) {
   Trajectory trajectory(messageOf(1), Time::zero());
   EXPECT_TRUE(trajectory.advance(Time::zero()));
   EXPECT_EQ(trajectory.progress(), 1);
+}
+
+TEST(Trajectory, RefusesAStateWithoutItsPoint) {
+  Trajectory trajectory(messageOf(2), Time::zero());
+  Trajectory other;
+  for (Trajectory* each : {&trajectory, &other}) {
+    StateArchive taking;
+    each->transfer(taking);
+    const std::vector<std::byte> bytes = taking.take();
+    StateArchive giving(bytes);
+    if (each == &trajectory) {
+      EXPECT_NO_THROW(each->transfer(giving));
+    } else {
+      EXPECT_THROW(each->transfer(giving), std::out_of_range);
+    }
+  }
 }
 
 TEST(Trajectory, SaysWhatIsWrong) {

@@ -77,6 +77,7 @@ class Breadcrumbs : public System {
 
   void transfer(StateArchive& archive) override {
     archive(count_);
+    archive.check(count_ >= 0);
     archive(falling_);
   }
 

@@ -57,6 +57,7 @@ void LinearCell::transfer(StateArchive& archive) {
   for (double* value : {&voltage_, &current_, &charge_, &stateOfCharge_}) archive(*value);
   for (double& value : window_) archive(value);
   archive(oldest_);
+  archive.check(oldest_ < kWindow);
 }
 
 }  // namespace pongsim

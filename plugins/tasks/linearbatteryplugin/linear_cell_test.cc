@@ -132,6 +132,11 @@ TEST(LinearCell, GoesOnWithTheSameBitsFromASavedState) {
   run(other, 0.3, 20);
   EXPECT_EQ(other.stateOfCharge(), cell.stateOfCharge());
   EXPECT_EQ(other.voltage(), cell.voltage());
+
+  std::vector<std::byte> forged = bytes;
+  forged[forged.size() - sizeof(std::size_t)] = std::byte{100};
+  StateArchive refused{forged};
+  EXPECT_THROW(other.transfer(refused), std::out_of_range);
 }
 
 }  // namespace

@@ -119,19 +119,22 @@ void CommsSystem::transfer(StateArchive& archive) {
   archive(now_);
   archive(nextWarning_);
   archive(unmentioned_);
-  if (archive.isGiving()) restore(saved);
+  if (archive.isGiving()) restore(saved, archive);
 }
 
-void CommsSystem::restore(const std::vector<Saved>& all) {
+void CommsSystem::restore(const std::vector<Saved>& all, StateArchive& archive) {
   bindings_.clear();
   waitingCount_ = waitingBytes_ = 0;
   for (const Saved& saved : all) {
     Binding& binding = bindings_[saved.address];
     binding.modelName = saved.modelName;
     if (saved.isAttached) binding.model = find(saved.modelName);
-    for (const std::string& topic : saved.topics) binding.topics.try_emplace(topic, node_->advertise<Dataframe>(topic));
+    for (const std::string& topic : saved.topics) {
+      archive.check(!topicNameError(topic));
+      binding.topics.try_emplace(topic, node_->advertise<Dataframe>(topic));
+    }
     for (const std::string& bytes : saved.outbound) {
-      binding.outbound.emplace_back().ParseFromString(bytes);
+      archive.check(waitingCount_ < kMostWaiting && binding.outbound.emplace_back().ParseFromString(bytes));
       ++waitingCount_;
       waitingBytes_ += binding.outbound.back().data().size();
     }

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 
+#include "description/limits.hh"
 #include "physics/convert.hh"
+#include "physics/shapes/shape.hh"
 
 namespace pongsim::physics {
 
@@ -21,6 +24,9 @@ Key keyOf(const btPersistentManifold& manifold) {
   return {manifold.getBody0()->getUserIndex(), manifold.m_companionIdA, manifold.getBody1()->getUserIndex(),
           manifold.m_companionIdB};
 }
+
+// an impulse beyond has no meaning, whatever the masses [N s]
+constexpr double kMostImpulse = 1e30;
 
 void transferPoint(StateArchive& archive, btManifoldPoint& point) {
   for (btVector3* vector :
@@ -40,6 +46,16 @@ void transferPoint(StateArchive& archive, btManifoldPoint& point) {
        {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1, &point.m_contactPointFlags}) {
     archive(*value);
   }
+  archive.check(std::abs(point.m_normalWorldOnB.length2() - 1) < 1e-6 && point.m_combinedFriction >= 0 &&
+                isWithin(point.getPositionWorldOnA(), description::kFarthestSaved) &&
+                isWithin(point.getPositionWorldOnB(), description::kFarthestSaved) &&
+                std::abs(point.m_appliedImpulse) <= kMostImpulse);
+}
+
+/// @return Whether it is the number of a collision of the body.
+bool isCollision(int number, const btCollisionObject& object) {
+  const auto* shape = static_cast<const LinkShape*>(object.getUserPointer());
+  return number >= 0 && shape != nullptr && static_cast<std::size_t>(number) < shape->partCount();
 }
 
 }  // namespace
@@ -48,8 +64,8 @@ void ManifoldPoints::transfer(StateArchive& archive) {
   std::size_t count = points.size();
   archive(count);
   for (int* value : {&linkA, &partA, &linkB, &partB}) archive(*value);
-  // a manifold has at most four
-  if (archive.isGiving()) points.resize(std::min<std::size_t>(count, MANIFOLD_CACHE_SIZE));
+  archive.check(count <= MANIFOLD_CACHE_SIZE);
+  if (archive.isGiving()) points.assign(count, btManifoldPoint());
   for (btManifoldPoint& point : points) transferPoint(archive, point);
 }
 
@@ -79,7 +95,12 @@ void restoreManifolds(const std::vector<ManifoldPoints>& list, Dispatcher& dispa
     const auto found = manifolds.find({entry.linkA, entry.partA, entry.linkB, entry.partB});
     if (found == manifolds.end() || found->second->getNumContacts() != 0) continue;
     // "predictive": skips the check that the point is near enough
-    for (const btManifoldPoint& point : entry.points) found->second->addManifoldPoint(point, true);
+    for (const btManifoldPoint& point : entry.points) {
+      btPersistentManifold& manifold = *found->second;
+      const bool isOfBodies =
+          isCollision(point.m_index0, *manifold.getBody0()) && isCollision(point.m_index1, *manifold.getBody1());
+      if (isOfBodies) manifold.addManifoldPoint(point, true);
+    }
   }
 }
 

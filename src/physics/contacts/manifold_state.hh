@@ -25,8 +25,8 @@ struct ManifoldPoints {
 std::vector<ManifoldPoints> listManifolds(Dispatcher& dispatcher);
 
 /// Restores points to the manifolds of the same two parts, and empties all others. Points of two parts that are not
-/// near each other now, and so have no manifold, are left out: the next step would have dropped them. If there are
-/// several entries for two parts, the first one counts.
+/// near each other now, and so have no manifold, are left out: the next step would have dropped them. So are points of
+/// collisions that the links do not have. If there are several entries for two parts, the first one counts.
 void restoreManifolds(const std::vector<ManifoldPoints>& list, Dispatcher& dispatcher);
 
 /// Saves the points of all manifolds, or restores them as `restoreManifolds` does.

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -93,7 +94,11 @@ void LinkShape::transfer(StateArchive& archive) {
   for (Part& part : collisions_) {
     archive(part.slip1);
     archive(part.slip2);
+    archive.check(part.slip1 >= 0 && part.slip2 >= 0);
     archive(part.motion);
+    if (!part.motion) continue;
+    const bool isTurned = std::abs(part.motion->axis.squaredNorm() - 1) < 1e-6;
+    archive.check(std::abs(part.motion->speed) <= SurfaceMotion::kLargestSpeed && isTurned);
   }
 }
 

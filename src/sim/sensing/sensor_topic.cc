@@ -94,6 +94,7 @@ void SensorTopic::reset() {
 
 void SensorTopic::transfer(StateArchive& archive) {
   archive(rate_);
+  archive.check(rate_ >= 0);
   period_ = messagePeriod(rate_);
   archive(due_);
   archive(now_);

@@ -7,6 +7,7 @@
 
 #include "base/hash.hh"
 #include "description/joint.hh"
+#include "description/limits.hh"
 #include "sim/edits/editor.hh"
 
 namespace pongsim::sim {
@@ -93,6 +94,16 @@ bool haveFreeIds(const std::vector<SavedJoint>& wanted, const world::Entities& e
   return std::ranges::none_of(wanted, [&](const SavedJoint& joint) { return joint.isMade && isTaken(joint); });
 }
 
+/// @return Whether what was made holds two links that are there, or one and the world.
+bool haveLinks(const std::vector<SavedJoint>& wanted, const world::Entities& entities) {
+  const auto linkOf = [&](const std::string& name) { return entities.findLink(world::kNoSlot, name); };
+  const auto isThere = [&](const std::string& name) { return name == "world" || linkOf(name) != world::kNoSlot; };
+  return std::ranges::all_of(wanted, [&](const SavedJoint& joint) {
+    if (!joint.isMade) return true;
+    return isThere(joint.parent) && isThere(joint.child) && linkOf(joint.parent) != linkOf(joint.child);
+  });
+}
+
 bool hasModelsOfTheStart(const world::Entities& entities, const world::Entities& start) {
   return std::ranges::equal(
       entities.models(), start.models(), [](const world::ModelRecord& a, const world::ModelRecord& b) {
@@ -108,6 +119,7 @@ void SavedJoint::transfer(StateArchive& archive) {
   archive(id.value);
   for (std::string* text : {&name, &parent, &child}) archive(*text);
   archive(X_ParentJoint);
+  archive.check(X_ParentJoint.position.cwiseAbs().maxCoeff() <= description::kFarthestSaved);
 }
 
 std::vector<SavedJoint> listJoints(const Access& access) { return jointsOf(access.entities); }
@@ -117,7 +129,7 @@ Outcome<void> restoreJoints(Access& access, const std::vector<SavedJoint>& wante
   if (std::ranges::equal(present, wanted, isSame)) return {};
   const std::string refusal = "the saved state has joints that can't be recreated here";
   world::Entities start(access.entities.description());
-  if (!followTheFile(wanted, start.nextId())) return {refusal};
+  if (!followTheFile(wanted, start.nextId()) || !haveLinks(wanted, access.entities)) return {refusal};
   if (!canBecome(present, wanted)) {
     if (!hasModelsOfTheStart(access.entities, start) || !canBecome(jointsOf(start), wanted)) {
       return {refusal};

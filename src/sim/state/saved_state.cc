@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/hash.hh"
+#include "description/limits.hh"
 #include "sim/edits/editor.hh"
 #include "sim/state/saved_joints.hh"
 
@@ -56,6 +60,7 @@ void transfer(StateArchive& archive, Access& access) {
     if (model.canonicalLink != world::kNoSlot) continue;
     Pose pose = model.X_CanonicalModel;
     archive(pose);
+    archive.check(pose.position.cwiseAbs().maxCoeff() <= description::kFarthestSaved);
     access.entities.setPose(slot, pose);
   }
 }
@@ -87,15 +92,29 @@ struct SavedContent {
   }
 };
 
+/// @param ids Of what is not part of something else, sorted.
+/// @return Whether models that joints connect are all among them, or none is.
+bool keepTogether(const world::Entities& entities, const std::vector<std::uint64_t>& ids) {
+  const auto isAmong = [&](world::Slot link) {
+    const world::ModelRecord* model = &entities.models()[entities.links()[link].model];
+    while (model->parent != world::kNoSlot) model = &entities.models()[model->parent];
+    return std::ranges::binary_search(ids, model->id.value);
+  };
+  return std::ranges::all_of(entities.joints(), [&](const world::JointRecord& joint) {
+    std::vector<bool> sides;
+    for (const world::Slot link : {joint.parentLink, joint.childLink, joint.referenceLink}) {
+      if (link != world::kNoSlot) sides.push_back(isAmong(link));
+    }
+    return std::ranges::adjacent_find(sides, std::ranges::not_equal_to()) == sides.end();
+  });
+}
+
 /// Sets those aside that are in the saved state, and makes and removes joints.
-/// A refusal changes nothing.
+/// @throws std::exception where the state is not one of this world.
 Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSet& systems) {
   const std::vector<std::uint64_t> before = access.entities.listSetAside();
   Editor(access).setAside({});
-  if (Outcome<void> restored = restoreJoints(access, saved.joints); !restored) {
-    Editor(access).setAside(before);
-    return restored;
-  }
+  if (Outcome<void> restored = restoreJoints(access, saved.joints); !restored) return restored;
   // systems of what is set aside can't look for anything afterwards
   if (!saved.setAside.empty()) systems.restore(saved.systems, false);
   std::vector<std::uint64_t> ids;
@@ -103,6 +122,8 @@ Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSe
     if (std::ranges::binary_search(saved.setAside, name)) ids.push_back(record.id.value);
   });
   std::ranges::sort(ids);
+  const bool mayBe = ids.size() == saved.setAside.size() && (ids.empty() || access.levels.areUsed());
+  if (!mayBe || !keepTogether(access.entities, ids)) return {"the saved state has unloaded levels that can't be here"};
   Editor(access).setAside(ids);
   if (ids == before) return {};
   // who holds sensors that have come or gone must know it before those are restored
@@ -111,9 +132,24 @@ Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSe
   return {};
 }
 
-}  // namespace
+/// @param bytes What follows the header. Where they are refused, some of them have been restored.
+Outcome<void> restoreAll(std::span<const std::byte> bytes, Access& access, SystemSet& systems) {
+  try {
+    StateArchive content(bytes);
+    SavedContent saved;
+    content(saved);
+    if (Outcome<void> restored = restoreContent(saved, access, systems); !restored) return restored;
+    transfer(content, access);
+    if (!content.rest().empty()) return {"the saved state is invalid: it is too long"};
+    systems.restore(saved.systems, true);
+    return {};
+  } catch (const std::exception& error) {
+    return {std::string("the saved state is invalid: ") + error.what()};
+  }
+}
 
-std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
+/// @return What follows the header.
+std::vector<std::byte> saveAll(Access& access, SystemSet& systems) {
   StateArchive content;
   SavedContent saved{{}, listJoints(access), systems.save()};
   forEachTopLevel(access.entities, [&](std::string name, const auto& record) {
@@ -122,8 +158,13 @@ std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
   std::ranges::sort(saved.setAside);
   content(saved);
   transfer(content, access);
-  const std::vector<std::byte> rest = content.take();
+  return content.take();
+}
 
+}  // namespace
+
+std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
+  const std::vector<std::byte> rest = saveAll(access, systems);
   StateArchive archive;
   for (char letter : kMark) archive(letter);
   std::uint64_t structure = structureOf(access, systems);
@@ -150,13 +191,18 @@ Outcome<void> restoreState(std::span<const std::byte> bytes, Access& access, Sys
   if (structure != structureOf(access, systems)) {
     return {"the saved state is of another world, or of other models, joints or systems"};
   }
-  StateArchive content(header.rest());
-  SavedContent saved;
-  content(saved);
-  if (Outcome<void> restored = restoreContent(saved, access, systems); !restored) return restored;
-  transfer(content, access);
-  systems.restore(saved.systems, true);
-  return {};
+  // anybody may have made a state with a checksum that is right
+  std::vector<std::byte> before;
+  try {
+    before = saveAll(access, systems);
+  } catch (const std::exception& error) {
+    return {std::string("the present state can't be saved, to be put back: ") + error.what()};
+  }
+  Outcome<void> restored = restoreAll(header.rest(), access, systems);
+  if (restored) return {};
+  const Outcome<void> undone = restoreAll(before, access, systems);
+  if (!undone) restored.error += "; what has been restored of it stays, because " + undone.error;
+  return restored;
 }
 
 }  // namespace pongsim::sim

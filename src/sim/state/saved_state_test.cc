@@ -2,13 +2,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/sim/forged_state.hh"
 
 namespace pongsim {
 namespace {
@@ -191,6 +194,47 @@ TEST(SavedState, IsRefusedWhereItDoesNotFit) {
   EXPECT_EQ(simulation->stateHash(), hash);
   EXPECT_TRUE(simulation->remove(*simulation->world().model("pong_bot")));
   EXPECT_EQ(refusal(state), otherWorld);
+}
+
+// anybody can give a state a checksum that is right
+TEST(SavedState, LeavesNoTraceWhereItIsRefused) {
+  const auto simulation = court();
+  press(*simulation, 16777235);
+  simulation->step(500);
+  const std::vector<std::byte> state = simulation->saveState();
+  simulation->step(100);
+  const std::vector<std::byte> present = simulation->saveState();
+  std::mt19937_64 random(46);
+  int refused = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Outcome<void> restored = simulation->restoreState(test::forged(state, random));
+    if (restored) {
+      // it may have exploded
+      try {
+        simulation->step(20);
+      } catch (const std::runtime_error&) {
+      }
+    } else {
+      ++refused;
+      EXPECT_FALSE(restored.error.empty());
+      ASSERT_EQ(simulation->saveState(), present) << i << ": " << restored.error;
+    }
+    ASSERT_TRUE(simulation->restoreState(present)) << i;
+  }
+  EXPECT_GT(refused, 250);
+  EXPECT_LT(refused, 500);
+  const std::uint64_t hash = driveOn(*simulation);
+  EXPECT_TRUE(simulation->restoreState(present));
+  EXPECT_EQ(driveOn(*simulation), hash);
+}
+
+TEST(SavedState, IsRefusedWithTheReason) {
+  const auto simulation = court({.loadSystems = false});
+  std::vector<std::byte> state = simulation->saveState();
+  state.push_back(std::byte{0});
+  EXPECT_EQ(simulation->restoreState(test::withChecksum(state)).error, "the saved state is invalid: it is too long");
+  state.resize(state.size() - 2);
+  EXPECT_EQ(simulation->restoreState(test::withChecksum(state)).error, "the saved state is invalid: it is truncated");
 }
 
 }  // namespace
