@@ -228,6 +228,31 @@ TEST(SavedState, LeavesNoTraceWhereItIsRefused) {
   EXPECT_EQ(driveOn(*simulation), hash);
 }
 
+// joints of the file can't be made again where a model was inserted
+TEST(SavedState, TellsWhereItHasLeftATrace) {
+  Diagnostics diagnostics;
+  const auto begin = [&] {
+    auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="w"><model name="arm">
+        <link name="base"/><link name="rod"/><joint name="hinge" type="revolute"><parent>base</parent><child>rod</child>
+        <axis><xyz>0 0 1</xyz></axis></joint></model></world></sdf>)",
+                                           "w.sdf", {.loadSystems = false}, diagnostics);
+    EXPECT_TRUE(simulation->insertText("<sdf version='1.9'><model name='new'><link name='l'/></model></sdf>", "new.sdf",
+                                       {}, diagnostics));
+    return simulation;
+  };
+  const auto other = begin();
+  EXPECT_TRUE(other->world().detach(*other->world().model("arm")->joint("hinge")));
+  std::vector<std::byte> state = other->saveState();
+  state.pop_back();
+  const auto simulation = begin();
+  EXPECT_EQ(
+      simulation->restoreState(test::withChecksum(state)).error,
+      "the saved state is invalid: it is truncated; what has been restored of it stays, because the saved state has "
+      "joints that can't be recreated here");
+  simulation->step(20);
+  EXPECT_FALSE(simulation->world().model("arm")->joint("hinge"));
+}
+
 TEST(SavedState, IsRefusedWithTheReason) {
   const auto simulation = court({.loadSystems = false});
   std::vector<std::byte> state = simulation->saveState();
