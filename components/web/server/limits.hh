@@ -9,6 +9,9 @@ namespace pongsim::web {
 struct ServerLimits {
   /// Concurrent connections, including browsers that load the page.
   int connections = 512;
+  /// Concurrent connections from one address that are not WebSocket clients. A further one takes the place of the
+  /// oldest.
+  std::size_t handshakesOfAPeer = 128;
   /// Concurrent WebSocket clients.
   int clients = 256;
   /// Maximum size of a client's message, all fragments together.

@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -22,6 +23,7 @@
 #include <utility>
 
 #include "web/server/connection.hh"
+#include "web/server/handshakes.hh"
 #include "web/server/http.hh"
 #include "web/server/media_type.hh"
 
@@ -29,8 +31,8 @@ namespace pongsim::web {
 
 namespace {
 
-// Limit of unsent bytes in the socket's buffer (TCP_NOTSENT_LOWAT): the rest stays in the client's queue, where newer data
-// replaces it.
+// Limit of unsent bytes in the socket's buffer (TCP_NOTSENT_LOWAT): the rest stays in the client's queue, where newer
+// data replaces it.
 constexpr int kUnsent = 64 << 10;
 // The library allocates a table for the maximum number of open files, which in containers may be 2^30. Beyond this
 // limit the server tells it a smaller number.
@@ -41,6 +43,7 @@ constexpr std::size_t kReadBuffer = std::size_t{16} << 10;
 constexpr const char* kNoSubprotocol = "pongsim.none";
 constexpr const char* kAssets = "/assets";
 constexpr std::size_t kMostReasons = 20;
+constexpr int kWithoutWaiting = -1;
 
 // Content security policy of the page: only what it consists of.
 constexpr const char* kPolicy =
@@ -61,10 +64,10 @@ void keepError(int, const char* line) {
   lastError = line;
 }
 
-/// @throws std::runtime_error if the address and port are not available.
-void checkPort(const std::string& address, int port) {
-  if (port == 0) return;
+/// @return 0 if the address and port are available, else the reason (errno).
+int portError(const std::string& address, int port) {
   const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (probe < 0) return errno;
   const int on = 1;
   setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in place{};
@@ -73,9 +76,15 @@ void checkPort(const std::string& address, int port) {
   inet_pton(AF_INET, address.c_str(), &place.sin_addr);
   const bool isFree =
       bind(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 && listen(probe, 1) == 0;
-  const int error = errno;
+  const int error = isFree ? 0 : errno;
   ::close(probe);
-  if (isFree) return;
+  return error;
+}
+
+/// @throws std::runtime_error if the address and port are not available.
+void checkPort(const std::string& address, int port) {
+  const int error = port == 0 ? 0 : portError(address, port);
+  if (error == 0) return;
   const std::string why = error == EADDRINUSE ? "another program uses it" : std::strerror(error);
   throw std::runtime_error("port " + std::to_string(port) + " of " + address + " can't be opened: " + why +
                            "; choose another with --web PORT or <port>");
@@ -93,9 +102,12 @@ class Server::Loop {
  public:
   Loop(ServerSettings settings, const Logger& log, const std::vector<Protocol*>& protocols)
       : settings_(std::move(settings)), log_(log) {
+    mostSockets_ = std::min(static_cast<std::size_t>(settings_.limits.connections),
+                            static_cast<std::size_t>(std::max(sysconf(_SC_OPEN_MAX), 2L)) / 2);
     listProtocols(protocols);
     open();
     waker_ = std::make_shared<Waker>(context_.get(), log_);
+    checkThatItWorks();
     thread_ = std::thread([this] { work(); });
   }
 
@@ -184,6 +196,22 @@ class Server::Loop {
     }
   }
 
+  /// The library goes on without what it could not open, such as when the process has no file descriptors left: then
+  /// nobody could connect, and nothing would wake the thread, not even to end it.
+  /// @throws std::runtime_error if so.
+  void checkThatItWorks() {
+    const auto refuse = [](const std::string& why) {
+      throw std::runtime_error("the server can't be started: " + why + "; allow more open files (ulimit -n)");
+    };
+    for (const std::string& address : settings_.addresses) {
+      const int error = portError(address, port_);
+      if (error != EADDRINUSE) refuse(std::strerror(error == 0 ? EMFILE : error));
+    }
+    lws_cancel_service(context_.get());
+    lws_service(context_.get(), kWithoutWaiting);
+    if (!canBeWoken_) refuse(std::strerror(EMFILE));
+  }
+
   static std::string lastLibraryError() {
     const std::lock_guard lock(errorMutex);
     std::string text = lastError;
@@ -219,12 +247,14 @@ class Server::Loop {
   int handle(lws* socket, lws_callback_reasons reason, void* data, void* in, std::size_t length) {
     switch (reason) {
       case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
-        return sockets_.size() < static_cast<std::size_t>(settings_.limits.connections) ? 0 : 1;
+        return makeRoom(*static_cast<const lws_filter_network_conn_args*>(data)) ? 0 : 1;
       case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
         sockets_.insert(socket);
+        handshakes_.add(socket, newPeer_);
         return 0;
       case LWS_CALLBACK_WSI_DESTROY:
         sockets_.erase(socket);
+        handshakes_.remove(socket);
         forget(socket);
         return 0;
       case LWS_CALLBACK_HTTP:
@@ -241,11 +271,30 @@ class Server::Loop {
         forget(socket);
         return 0;
       case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        canBeWoken_ = true;
         if (waker_) waker_->callAll();
         return 0;
       default:
         return lws_callback_http_dummy(socket, reason, data, in, length);
     }
+  }
+
+  /// Closes the oldest handshake if there are too many connections, or too many of the new one's address.
+  /// @return Whether the new connection may stay.
+  bool makeRoom(const lws_filter_network_conn_args& args) {
+    sockaddr_in from{};
+    std::memcpy(&from, &args.cli_addr, sizeof from);
+    newPeer_ = from.sin_addr.s_addr;
+    lws* oldest = nullptr;
+    if (handshakes_.count(newPeer_) >= settings_.limits.handshakesOfAPeer) {
+      oldest = handshakes_.oldest(newPeer_);
+    } else if (sockets_.size() >= mostSockets_) {
+      oldest = handshakes_.oldest();
+      if (oldest == nullptr) return false;
+    }
+    // at once, and never the connection being served, which is the listening socket
+    if (oldest != nullptr) lws_set_timeout(oldest, PENDING_TIMEOUT_USER_OK, LWS_TO_KILL_SYNC);
+    return true;
   }
 
   static Visit visitOf(lws* socket) {
@@ -258,6 +307,7 @@ class Server::Loop {
   }
 
   int serve(lws* socket, std::string_view path) {
+    handshakes_.renew(socket);
     char* uri = nullptr;
     int length = 0;
     const int method = lws_http_get_uri_and_method(socket, &uri, &length);
@@ -303,6 +353,7 @@ class Server::Loop {
     if (admitted == admitted_.end()) return -1;
     const bool mayWrite = admitted->second;
     admitted_.erase(admitted);
+    handshakes_.remove(socket);
     std::string name = lws_get_protocol(socket)->name;
     if (name == kNoSubprotocol) name.clear();
     const auto protocol = protocols_.find(name);
@@ -361,7 +412,13 @@ class Server::Loop {
   lws_retry_bo_t idle_{};
   int port_ = 0;
   std::shared_ptr<Waker> waker_;
+  std::size_t mostSockets_ = 0;
   std::unordered_set<lws*> sockets_;
+  Handshakes handshakes_;
+  /// Where the connection being accepted comes from.
+  Handshakes::Address newPeer_ = 0;
+  /// Whether a call of `lws_cancel_service` has ended a wait.
+  bool canBeWoken_ = false;
   /// Reasons for refusals so far.
   std::unordered_set<std::string> reasons_;
   /// Accepted handshakes, with write access or not, until they are connections.

@@ -1,8 +1,11 @@
 #include "web/server/server.hh"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -291,6 +294,58 @@ TEST_F(ServerTest, RefusesClientsBeyondTheLimit) {
   start();
   const auto one = greeted(), two = greeted();
   EXPECT_TRUE(RawClient(server_->port()).open("/", kEcho).substr(8, 5) == " 503 ");
+}
+
+TEST_F(ServerTest, ServesANewClientAtOnceWhateverWaits) {
+  settings_.limits.connections = 20;
+  // no handshake ends by itself while the test runs
+  settings_.limits.handshake = std::chrono::hours(1);
+  start();
+  const auto honest = greeted();
+  std::vector<std::unique_ptr<RawClient>> slow;
+  for (int i = 0; i < 60; ++i) {
+    slow.push_back(std::make_unique<RawClient>(server_->port()));
+    if (i % 2 == 0) slow.back()->send("GET / HTTP/1.1\r\nHost: ");
+  }
+  EXPECT_TRUE(RawClient(server_->port()).get("/main.js").ends_with("run()"));
+  EXPECT_TRUE(greeted()->isConnected());
+  // clients are not closed for others
+  honest->sendText("still there?");
+  EXPECT_EQ(honest->next().value().payload, "still there?");
+}
+
+TEST_F(ServerTest, BoundsTheHandshakesOfAPeer) {
+  settings_.limits.handshakesOfAPeer = 3;
+  settings_.limits.handshake = std::chrono::hours(1);
+  const int port = start();
+  std::vector<std::unique_ptr<RawClient>> slow;
+  for (int i = 0; i < 4; ++i) slow.push_back(std::make_unique<RawClient>(port));
+  // the first one has been closed for the fourth; the others still get answers
+  EXPECT_TRUE(slow.back()->get("/main.js").ends_with("run()"));
+  EXPECT_EQ(slow.front()->get("/main.js"), "");
+  EXPECT_TRUE(slow.at(1)->get("/main.js").ends_with("run()"));
+}
+
+TEST_F(ServerTest, SaysThatThereAreNoFileDescriptorsLeft) {
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  // from too few for anything to enough; each time it starts, or says why not
+  bool hasStarted = false;
+  for (rlim_t more = 0; more < 30 && !hasStarted; ++more) {
+    const int next = dup(0);
+    ::close(next);
+    const rlimit few{static_cast<rlim_t>(next) + more, before.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &few);
+    try {
+      start();
+      hasStarted = true;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("the server can't be started: "), std::string::npos) << error.what();
+    }
+    server_.reset();
+  }
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_TRUE(hasStarted);
 }
 
 TEST_F(ServerTest, Holds200Clients) {

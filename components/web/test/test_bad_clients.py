@@ -94,6 +94,19 @@ class BadClients(unittest.TestCase):
                     raise EOFError
         self.check_that_it_goes_on()
 
+    def test_600_slow_handshakes_keep_nobody_out(self):
+        slow = []
+        for number in range(600):
+            slow.append(self.connect())
+            if number % 2:
+                slow[-1].socket.sendall(b"GET / HTTP/1.1\r\nHost: ")
+        begin = time.monotonic()
+        with Connection(self.host, self.port) as connection:
+            self.assertEqual(connection.get("/assets/none.png")[0], 404)
+        self.check_that_it_goes_on()
+        # far below the time after which a handshake ends by itself
+        self.assertLess(time.monotonic() - begin, 5)
+
     def test_clients_that_never_read_cost_a_bounded_memory(self):
         self.check_that_it_goes_on()
         before = memory(self.simulation.process.pid)
