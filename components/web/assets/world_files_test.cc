@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "support/temp_folder.hh"
 
@@ -79,6 +80,40 @@ TEST_F(WorldFilesTest, HaveNothingElse) {
                                      std::string("file://")}) {
     EXPECT_EQ(files.find(address), std::nullopt) << address;
   }
+}
+
+TEST_F(WorldFilesTest, OfInsertedModelsLieInTheFoldersOfModels) {
+  ignition::msgs::Scene scene;
+  for (const char* file : {"models/arm/meshes/arm.dae", "plain/box.obj", "loose/meshes/a.stl", "secret.png"}) {
+    scene.add_model()->add_link()->add_visual()->mutable_geometry()->mutable_mesh()->set_filename(at(file));
+  }
+  WorldFiles files;
+  EXPECT_EQ(files.addInserted(scene, {at("models"), at("plain")}),
+            (std::vector<std::string>{at("loose/meshes/a.stl"), at("secret.png")}));
+  for (const char* named : {"models/arm/meshes/arm.dae", "models/arm/materials/textures/skin.png", "plain/box.obj"})
+    EXPECT_TRUE(files.find(at(named))) << named;
+  // of a folder that is not a model's only what is named; nothing of other folders
+  for (const char* other :
+       {"plain/box.mtl", "plain/deep/secret.png", "loose/meshes/a.stl", "loose/materials/a.png", "secret.png"})
+    EXPECT_FALSE(files.find(at(other))) << other;
+}
+
+TEST_F(WorldFilesTest, OfInsertedModelsAreNotElsewhereByAnotherName) {
+  std::filesystem::create_directory_symlink(at("loose/meshes"), at("plain/link"));
+  std::filesystem::create_symlink(at("walker/skin.dae"), at("plain/skin.dae"));
+  ignition::msgs::Scene scene;
+  const std::vector<std::string> outside{at("plain/../secret.png"), at("plain/link/../photo.png"),
+                                         "file://" + at("plain/../loose/meshes/a.stl")};
+  for (const std::string& file : outside)
+    scene.add_model()->add_link()->add_visual()->mutable_geometry()->mutable_mesh()->set_filename(file);
+  // a link that the owner of the folder has made
+  scene.add_model()->add_link()->add_visual()->mutable_geometry()->mutable_mesh()->set_filename(at("plain/skin.dae"));
+  WorldFiles files;
+  EXPECT_EQ(files.addInserted(scene, {at("plain") + "/", at("none")}),
+            (std::vector<std::string>{outside[0], outside[1], outside[2].substr(7)}));
+  for (const char* other : {"secret.png", "loose/photo.png", "loose/meshes/a.stl"})
+    EXPECT_FALSE(files.find(at(other))) << other;
+  EXPECT_TRUE(files.find(at("plain/skin.dae")));
 }
 
 }  // namespace

@@ -1,15 +1,22 @@
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "pongsim/files/fuel_address.hh"
 #include "pongsim/message.hh"
 #include "pongsim/scene.hh"
 #include "pongsim/system.hh"
+#include "pongsim/world_edits.hh"
 #include "web/assets/world_files.hh"
 #include "web/frames/pose_feed.hh"
 #include "web/system/hub.hh"
@@ -19,6 +26,8 @@
 namespace pongsim::web {
 
 namespace {
+
+constexpr std::size_t kMostWarnings = 20;
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -30,6 +39,16 @@ void announce(const Hub& hub) {
   if (logLevel() == LogLevel::kNone) return;
   const std::string address = pageAddress(hub.settings(), hub.server().port());
   std::fprintf(stderr, "in a browser: %s\n", address.c_str());
+}
+
+/// @return The folders whose files may be served for inserted models. Those that a request adds later are not among
+/// them.
+std::vector<std::filesystem::path> foldersOfModels(const SystemContext& context) {
+  std::vector<std::filesystem::path> folders = context.edits.resourceFolders();
+  if (std::filesystem::path cache = fuelCacheFolder(); !cache.empty()) folders.push_back(std::move(cache));
+  if (const auto file = context.world.sourcePosition().file)
+    folders.push_back(std::filesystem::absolute(*file).parent_path());
+  return folders;
 }
 
 class Web final : public System {
@@ -61,6 +80,10 @@ class Web final : public System {
     }
     if (hub_->settings().page.empty()) context.log.warning("the page is not installed: other clients only");
     world_.emplace(context.world);
+    log_ = &context.log;
+    const std::vector<std::uint64_t> ids = Scene(*world_).topLevelIds();
+    ownIds_.insert(ids.begin(), ids.end());
+    folders_ = foldersOfModels(context);
     const std::string name(context.world.name());
     channel_ = std::make_shared<PoseChannel>(name, [waking = context.node]() mutable { waking.wake(); });
     hub_->channels().add(channel_);
@@ -90,11 +113,23 @@ class Web final : public System {
  private:
   void updateFiles() {
     areFilesOld_ = false;
-    const MessagePointer scene = newMessage("ignition.msgs.Scene");
-    Scene(*world_).fillIn(*scene);
+    const MessagePointer own = newMessage("ignition.msgs.Scene"), inserted = newMessage("ignition.msgs.Scene");
+    const Scene scene(*world_);
+    scene.fillIn(*own, [this](std::uint64_t id) { return ownIds_.contains(id); });
+    scene.fillIn(*inserted, [this](std::uint64_t id) { return !ownIds_.contains(id); });
     std::vector<std::string> skins;
-    for (const ActorPlace& actor : Scene(*world_).actors()) skins.push_back(actor.skin);
-    hub_->assets().set(this, WorldFiles(*scene, skins));
+    for (const ActorPlace& actor : scene.actors()) skins.push_back(actor.skin);
+    WorldFiles files(*own, skins);
+    for (const std::string& file : files.addInserted(*inserted, folders_)) warnOf(file);
+    hub_->assets().set(this, std::move(files));
+  }
+
+  /// Once per file, and not of more than some.
+  void warnOf(const std::string& file) {
+    if (refused_.size() >= kMostWarnings || !refused_.insert(file).second) return;
+    log_->warning("clients don't get '" + file +
+                  "' of an inserted model: it is in none of the folders of models; start the run with its folder in "
+                  "PONGSIM_RESOURCE_PATH");
   }
 
   /// Published in advance, because clients request it when they connect.
@@ -116,6 +151,13 @@ class Web final : public System {
   std::optional<Relay> relay_;
   /// Duration of the last step [s].
   std::optional<double> stepSize_;
+  const Logger* log_ = nullptr;
+  /// Models and lights of the world's file.
+  std::unordered_set<std::uint64_t> ownIds_;
+  /// Where files of inserted models may lie.
+  std::vector<std::filesystem::path> folders_;
+  /// Files of inserted models that lie elsewhere.
+  std::set<std::string> refused_;
   bool areFilesOld_ = true;
   bool mustAnnounce_ = false;
 };

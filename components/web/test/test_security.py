@@ -76,6 +76,29 @@ class Security(unittest.TestCase):
         with Connection(host, port) as connection:
             self.assertEqual(connection.get("/assets/etc/passwd?token=known")[0], 404)
 
+    def test_an_inserted_model_gives_no_access_to_private_folders(self):
+        private, models = self.folder / "private", self.folder / "models"
+        for folder in (private, models):
+            folder.mkdir()
+            (folder / "box.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+            (folder / "photo.png").write_bytes(b"picture")
+        environment = {"PONGSIM_RESOURCE_PATH": str(models)}
+        host, port, _ = self.start("--web", "0", environment=environment)
+        for folder in (private, models):
+            model = (f"<sdf version='1.9'><model name='{folder.name}'><static>true</static><link name='l'><visual name='v'>"
+                     f"<geometry><mesh><uri>{folder}/box.obj</uri></mesh></geometry></visual></link></model></sdf>")
+            result = ended("service", "-s", "/world/pong_world/create", "--reqtype", "EntityFactory", "--reptype", "Boolean",
+                           "--timeout", "60000", "-r", f'sdf: "{model}"')
+            self.assertIn("data: true", result.stdout, result.stderr)
+        with Connection(host, port) as client:
+            self.assertEqual(client.open(), 101)
+            # the files are looked up for the first client
+            self.simulation.wait_for(f"clients don't get '{private}/box.obj' of an inserted model: .* PONGSIM_RESOURCE_PATH")
+            for file, status in ((private / "photo.png", 404), (private / "box.obj", 404), (models / "photo.png", 404),
+                                 (models / "box.obj", 200)):
+                with Connection(host, port) as connection:
+                    self.assertEqual(connection.get(f"/assets{file}")[0], status, file)
+
     @unittest.skipUnless(shutil.which("openssl"), "makes a certificate with openssl")
     def test_tls_with_a_given_certificate(self):
         certificate, key = self.folder / "c.pem", self.folder / "k.pem"
