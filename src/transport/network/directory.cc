@@ -30,6 +30,16 @@ const EndpointTraffic* trafficIn(const TrafficReport& report, const Endpoint& en
   return found == report.endpoints.end() ? nullptr : &*found;
 }
 
+/// @return The name of the world whose control is requested on a topic; empty if it is another topic.
+std::string_view controlledWorld(std::string_view topic) {
+  constexpr std::string_view kBegin = "/world/", kEnd = "/control";
+  std::string_view name = serviceOfRequestTopic(topic).value_or(std::string_view{});
+  if (!name.starts_with(kBegin) || !name.ends_with(kEnd) || name.size() <= kBegin.size() + kEnd.size()) return {};
+  name.remove_prefix(kBegin.size());
+  name.remove_suffix(kEnd.size());
+  return name.find('/') == std::string_view::npos ? name : std::string_view{};
+}
+
 }  // namespace
 
 void Directory::changed() {
@@ -58,9 +68,13 @@ void Directory::removeParticipant(const ParticipantId& id) {
 
 void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
   const Lock lock(mutex_);
-  if (endpoints_.insert_or_assign(id, endpoint).second) ++endpointsOf_[participantOf(id)];
+  const bool isNew = endpoints_.insert_or_assign(id, endpoint).second;
+  if (isNew) ++endpointsOf_[participantOf(id)];
   const auto [begin, end] = own_.equal_range(endpoint.topic);
-  for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
+  for (auto own = begin; own != end; ++own) {
+    warnOfType(own->second, id, endpoint);
+    if (isNew) warnOfWorld(own->second, id, endpoint);
+  }
   if (tell_ && endpoint.role == Role::kPublisher && endpoint.visible && endpoint.topic.starts_with('/')) {
     tell_(endpoint.topic, endpoint.type);
   }
@@ -102,7 +116,9 @@ void Directory::addOwn(const Endpoint& endpoint) {
   const auto added = own_.emplace(endpoint.topic, endpoint);
   try {
     for (const auto& [id, other] : endpoints_) {
-      if (other.topic == endpoint.topic) warnOfType(endpoint, id, other);
+      if (other.topic != endpoint.topic) continue;
+      warnOfType(endpoint, id, other);
+      warnOfWorld(endpoint, id, other);
     }
   } catch (...) {
     own_.erase(added);
@@ -120,6 +136,8 @@ void Directory::removeOwn(const Endpoint& endpoint) {
 }
 
 void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) {
+  // a service's caller learns of the types in its reply
+  if (serviceOfRequestTopic(own.topic)) return;
   if (!isListed(otherId, other) || other.type == own.type || other.role == own.role) return;
   const ParticipantId participant = participantOf(otherId);
   if (other.role == Role::kPublisher ? takesAnyType(own.topic) : takesAnyType(participant, own.topic)) return;
@@ -132,6 +150,17 @@ void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const
                         ", this process subscribes to " + own.type
                   : "topic '" + own.topic + "': the types differ: process " + process + " subscribes to " + other.type +
                         ", this process publishes " + own.type);
+}
+
+void Directory::warnOfWorld(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) {
+  if (own.role != Role::kSubscriber || other.role != Role::kSubscriber || !other.visible) return;
+  const std::string world(controlledWorld(own.topic));
+  if (world.empty()) return;
+  const int pid = pidOfLocked(participantOf(otherId));
+  static const Logger log("transport");
+  log.warning((pid != 0 ? "process " + std::to_string(pid) : "another process") + " runs a world '" + world +
+              "', too: both answer its services, and their topics mix; start one with another PONGSIM_DOMAIN or "
+              "IGN_PARTITION, or rename its world");
 }
 
 ParticipantId Directory::firstOf(const ParticipantId& id) const {

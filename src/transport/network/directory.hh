@@ -54,7 +54,8 @@ class Directory {
   /// announcing thread with this directory locked. Empty: no calls any more, and none is running.
   void tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell);
 
-  /// Adds or removes an endpoint of this process, to warn about others with another type.
+  /// Adds or removes an endpoint of this process, to warn about others with another type, and about a world of the same
+  /// name in another process.
   void addOwn(const Endpoint& endpoint);
   void removeOwn(const Endpoint& endpoint);
 
@@ -100,6 +101,7 @@ class Directory {
   bool takesAnyType(const ParticipantId& id, const std::string& topic) const REQUIRES(mutex_);
   bool takesAnyType(const std::string& topic) const REQUIRES(mutex_);
   void warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) REQUIRES(mutex_);
+  void warnOfWorld(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) REQUIRES(mutex_);
   void changed() REQUIRES(mutex_);
   int pidOfLocked(const ParticipantId& id) const REQUIRES(mutex_);
 

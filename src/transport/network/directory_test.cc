@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "transport/names/service_name.hh"
 
 namespace pongsim::transport {
 
@@ -144,6 +149,43 @@ TEST(Directory, WarnsOfNoTypeWhereOneSideTakesAny) {
   directory.addOwn({"/b", kTwist, Role::kPublisher});
   directory.addEndpoint(kFirstsSubscriber, {"/b", "*", Role::kSubscriber});
   directory.addEndpoint(EndpointId{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3}, {"/b", "a.Type", Role::kSubscriber});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Directory, WarnsOnceOfAWorldOfTheSameNameInAnotherProcess) {
+  const Endpoint control{requestTopic("/world/w/control"), serviceType("a", "b"), Role::kSubscriber};
+  for (const bool isFirst : {true, false}) {
+    Directory directory;
+    directory.addParticipant(kFirst, 4711, {7410});
+    testing::internal::CaptureStderr();
+    if (isFirst) directory.addOwn(control);
+    directory.addEndpoint(kFirstsSubscriber, control);
+    directory.addEndpoint(kFirstsSubscriber, control);
+    if (!isFirst) directory.addOwn(control);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("process 4711 runs a world 'w', too"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+}
+
+TEST(Directory, WarnsOfNoOtherWorldOrServiceOrCaller) {
+  Directory directory;
+  directory.addParticipant(kFirst, 4711, {7410});
+  testing::internal::CaptureStderr();
+  for (const char* service : {"/world/w/control", "/gazebo/worlds", "/world/w/playback/control"})
+    directory.addOwn({requestTopic(service), serviceType("a", "b"), Role::kSubscriber});
+  std::uint8_t number = 10;
+  const auto add = [&](const char* service, Role role, bool isVisible) {
+    directory.addEndpoint(EndpointId{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, ++number},
+                          {requestTopic(service), serviceType("c", "d"), role, isVisible});
+  };
+  add("/world/v/control", Role::kSubscriber, true);
+  add("/gazebo/worlds", Role::kSubscriber, true);
+  add("/world/w/playback/control", Role::kSubscriber, true);
+  // in another partition
+  add("/world/w/control", Role::kSubscriber, false);
+  // calls it
+  add("/world/w/control", Role::kPublisher, true);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 

@@ -33,6 +33,11 @@ const Logger& serverLog() {
   return logger;
 }
 
+/// @return The endpoint by which callers find the service.
+Endpoint announced(const Offer& offer) {
+  return {requestTopic(offer.name), serviceType(offer.requestType, offer.replyType), Role::kSubscriber};
+}
+
 }  // namespace
 
 Offer::Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
@@ -99,6 +104,7 @@ void ServiceServer::open(Offer& offer) {
       requestTopic(offer.name), type,
       [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); }, {},
       offer.writer->participant());
+  network_->directory().addOwn(announced(offer));
 }
 
 /// After the end of one: the next one of that name answers from now on.
@@ -142,7 +148,10 @@ std::unique_ptr<Offer> ServiceServer::close(Offer& offer) {
   }
   // last replies must arrive before the reader ends: without it, callers stop waiting
   if (offer.writer) offer.writer->waitForAcknowledgement(kFarewell);
-  if (offer.reader) network_->end(std::move(offer.reader));
+  if (offer.reader) {
+    network_->directory().removeOwn(announced(offer));
+    network_->end(std::move(offer.reader));
+  }
   if (offer.writer) network_->end(std::move(offer.writer));
   if (network_ != nullptr) openNext(offer.name);
   return owned;

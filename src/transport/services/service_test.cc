@@ -4,6 +4,7 @@
 #include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <future>
@@ -223,6 +224,13 @@ TEST_F(ServiceElsewhere, AnswersEachNewcomer) {
     const CallResult result = newcomer.node().call("/s", saying("hello"), reply_, kDeadline);
     ASSERT_TRUE(result) << result.error;
   }
+}
+
+TEST_F(ServiceElsewhere, WarnsOfAWorldOfTheSameName) {
+  const auto other = peer({"serve", "/world/w/control", "echo"});
+  ASSERT_TRUE(other->waitForOutput("ready")) << other->error();
+  const Service control = echo(node_, "/world/w/control");
+  EXPECT_TRUE(other->waitForError("process " + std::to_string(getpid()) + " runs a world 'w', too")) << other->error();
 }
 
 TEST_F(ServiceElsewhere, IsWaitedFor) {
