@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 
 namespace pongsim::web::test {
 
@@ -114,6 +115,15 @@ std::optional<RawClient::Message> RawClient::next() {
     message.payload += part;
     if (isFinal) return message;
   }
+}
+
+bool RawClient::finish() {
+  shutdown(socket_, SHUT_WR);
+  std::array<char, 4096> part{};
+  ssize_t count = 0;
+  do count = recv(socket_, part.data(), part.size(), 0);
+  while (count > 0);
+  return count == 0 || errno == ECONNRESET;
 }
 
 int RawClient::Message::closeCode() const {

@@ -43,6 +43,10 @@ class RawClient {
   /// @return The next message, with all its fragments; nothing if the connection has ended.
   std::optional<Message> next();
 
+  /// Ends this side of the connection and reads what still comes.
+  /// @return Whether the server has ended its side too.
+  bool finish();
+
  private:
   bool readExactly(void* place, std::size_t size);
 
