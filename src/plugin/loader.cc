@@ -17,6 +17,8 @@ namespace pongsim::plugin {
 
 namespace {
 
+constexpr const char* kNoPlugin = "__default__";
+
 void appendFolders(const char* variable, std::vector<std::filesystem::path>& folders) {
   const char* value = std::getenv(variable);
   if (value == nullptr) return;
@@ -45,12 +47,39 @@ std::optional<std::filesystem::path> existing(const std::filesystem::path& file)
   return file;
 }
 
-void reportPath(const description::Plugin& plugin, Loader::Paths paths, Diagnostics& diagnostics) {
+constexpr const char* kLeftOut = ": it is left out";
+
+/// Reports a plugin that can't be had.
+/// @param what What is wrong with it.
+void report(const description::Plugin& plugin, Loader::Need need, const std::string& what, const std::string& hint,
+            Diagnostics& diagnostics) {
+  const std::string message = "plugin '" + plugin.filename + "' " + what;
+  if (need == Loader::Need::kRequired) {
+    diagnostics.error(plugin.sdf.position, message, hint);
+  } else {
+    diagnostics.warning(plugin.sdf.position, message + kLeftOut, hint);
+  }
+}
+
+std::string pathHint(Loader::Paths paths) {
   const std::string leave = paths == Loader::Paths::kNever
                                 ? "only the world that a run starts with may name paths, if it is not from a server; "
                                 : "if you trust this world, run it with --allow-plugin-paths; or ";
-  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' is a path, which is not allowed here",
-                    leave + "name the library alone, and its folder in PONGSIM_PLUGIN_PATH");
+  return leave + "name the library alone, and its folder in PONGSIM_PLUGIN_PATH";
+}
+
+/// @return "plugin 'a' was not found: it is left out", or "2 plugins were not found: they are left out: 'a' (line 4),
+/// 'b' (line 8)".
+std::string sumUp(const std::vector<description::Plugin>& plugins, const std::string& one, const std::string& several) {
+  if (plugins.size() == 1) return "plugin '" + plugins.front().filename + "' " + one + kLeftOut;
+  std::string text = std::to_string(plugins.size()) + " plugins " + several + ": they are left out: ";
+  for (const description::Plugin& plugin : plugins) {
+    if (&plugin != &plugins.front()) text += ", ";
+    text += "'" + plugin.filename + "'";
+    const SourcePosition& position = plugin.sdf.position;
+    if (position.line > 0) text += " (line " + std::to_string(position.line) + ")";
+  }
+  return text;
 }
 
 }  // namespace
@@ -67,9 +96,12 @@ std::vector<std::filesystem::path> defaultSearchPath() {
 
 Loader::Loader(std::vector<std::filesystem::path> searchPath) : searchPath_(std::move(searchPath)) {}
 
-std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Paths paths, Diagnostics& diagnostics) {
+std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Paths paths, Need need,
+                                     Diagnostics& diagnostics) {
+  // libsdformat's default for a plugin without a name or filename, which some tools write out
+  if (plugin.filename == kNoPlugin || plugin.className == kNoPlugin) return nullptr;
   const std::string name = systemName(plugin.filename);
-  const Library* found = library(name, plugin, paths, diagnostics);
+  const Library* found = library(name, plugin, paths, need, diagnostics);
   if (found == nullptr) return nullptr;
   const SystemEntry* entry = findEntry(*found, plugin.className);
   if (entry != nullptr) return std::unique_ptr<System>(entry->create());
@@ -80,16 +112,15 @@ std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Paths pa
   }
   std::string hint = base::didYouMean(plugin.className, known);
   if (hint.empty() && !known.empty()) hint = "it has " + std::string(known.front());
-  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' has no class '" + plugin.className + "'",
-                    hint);
+  report(plugin, need, "has no class '" + plugin.className + "'", hint, diagnostics);
   return nullptr;
 }
 
-const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Paths paths,
+const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Paths paths, Need need,
                                Diagnostics& diagnostics) {
   const bool isPath = plugin.filename.find('/') != std::string::npos;
   if (isPath && paths != Paths::kAllowed) {
-    reportPath(plugin, paths, diagnostics);
+    report(plugin, need, "is a path, which is not allowed here", pathHint(paths), diagnostics);
     return nullptr;
   }
   const auto known = libraries_.find(name);
@@ -97,48 +128,57 @@ const Library* Loader::library(const std::string& name, const description::Plugi
   const std::optional<std::filesystem::path> file =
       isPath ? existing(plugin.filename) : findLibrary(searchPath_, plugin.filename);
   if (!file) {
-    reportNotFound(name, plugin, diagnostics);
+    noteNotFound(name, plugin, need, diagnostics);
     return nullptr;
   }
   auto opened = Library::open(*file);
   if (auto* library = std::get_if<std::unique_ptr<Library>>(&opened)) {
     return libraries_.emplace(name, std::move(*library)).first->second.get();
   }
-  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' can't be loaded from " + file->string() +
-                                             ": " + std::get<std::string>(opened));
+  report(plugin, need, "can't be loaded from " + file->string() + ": " + std::get<std::string>(opened), {},
+         diagnostics);
   return nullptr;
 }
 
-void Loader::reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
-  const std::string package(packageOf(name));
-  const std::string install = "the package " + package + " has it: apt-get install " + package;
-  const bool isOfFortress = std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end();
-  if (isOfFortress || isForeignPlugin(name)) {
+std::string Loader::lookedIn() const {
+  std::string text = "looked in";
+  for (const std::filesystem::path& folder : searchPath_) text += " " + folder.string();
+  return text + "; PONGSIM_PLUGIN_PATH adds folders";
+}
+
+void Loader::noteNotFound(const std::string& name, const description::Plugin& plugin, Need need,
+                          Diagnostics& diagnostics) {
+  if (need == Need::kOptional) {
     if (std::ranges::find(missed_, name) != missed_.end()) return;
     missed_.push_back(name);
-    if (!package.empty()) {
-      diagnostics.warning(plugin.sdf.position, "plugin '" + plugin.filename + "' is not installed: it is left out",
-                          install);
-    } else if (isOfFortress) {
-      diagnostics.warning(plugin.sdf.position,
-                          "the system '" + name + "' of Gazebo is not supported yet: it is left out");
-    } else {
-      diagnostics.warning(plugin.sdf.position,
-                          "plugin '" + plugin.filename + "' is a plugin of Gazebo Classic or ROS: it is left out",
-                          "Fortress can't load it either");
-    }
-    return;
   }
+  const std::string package(packageOf(name));
+  const bool isOfFortress = std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end();
+  if (!package.empty()) {
+    return report(plugin, need, "is not installed", "the package " + package + " has it: apt-get install " + package,
+                  diagnostics);
+  }
+  if (isOfFortress) return report(plugin, need, "is a system of Gazebo that is not supported yet", {}, diagnostics);
+  if (isForeignPlugin(name) && need == Need::kOptional) return foreign_.push_back(plugin);
   const std::vector<std::string> available = systemsIn(searchPath_);
   std::vector<std::string_view> words(available.begin(), available.end());
   words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
-  std::string hint = package.empty() ? base::didYouMean(name, words) : install;
-  if (hint.empty()) {
-    hint = "looked in";
-    for (const std::filesystem::path& folder : searchPath_) hint += " " + folder.string();
-    hint += "; PONGSIM_PLUGIN_PATH adds folders";
+  const std::string meant = base::didYouMean(name, words);
+  if (meant.empty() && need == Need::kOptional) return unknown_.push_back(plugin);
+  report(plugin, need, "was not found", meant.empty() ? lookedIn() : meant, diagnostics);
+}
+
+void Loader::reportMissing(Diagnostics& diagnostics) {
+  if (!foreign_.empty()) {
+    diagnostics.warning(foreign_.front().sdf.position,
+                        sumUp(foreign_, "is of Gazebo Classic or ROS", "are of Gazebo Classic or ROS"),
+                        "Fortress can't load " + std::string(foreign_.size() == 1 ? "it" : "them") + " either");
   }
-  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' was not found", hint);
+  if (!unknown_.empty()) {
+    diagnostics.warning(unknown_.front().sdf.position, sumUp(unknown_, "was not found", "were not found"), lookedIn());
+  }
+  foreign_.clear();
+  unknown_.clear();
 }
 
 }  // namespace pongsim::plugin

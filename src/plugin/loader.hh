@@ -26,20 +26,29 @@ class Loader {
   /// Whether the filename of a plugin may be a path, which makes whoever writes it run any code on this machine.
   enum class Paths { kAllowed, kNeedLeave, kNever };
 
-  /// @return A new system, not configured yet; null, with a diagnostic, if there is none: a warning for a system of
-  /// Fortress that pongsim lacks and for a plugin of Gazebo Classic or ROS, an error for anything else.
-  std::unique_ptr<System> load(const description::Plugin& plugin, Paths paths, Diagnostics& diagnostics);
+  /// Whether a plugin that can't be had is left out with a warning, as in Fortress, or is an error.
+  enum class Need { kOptional, kRequired };
+
+  /// @return A new system, not configured yet; null, with a diagnostic now or from `reportMissing`, if there is none.
+  std::unique_ptr<System> load(const description::Plugin& plugin, Paths paths, Need need, Diagnostics& diagnostics);
+
+  /// Warns of the plugins that were left out since the last call and are like nothing known: one warning for those of
+  /// Gazebo Classic and ROS, and one for the others, however many there are.
+  void reportMissing(Diagnostics& diagnostics);
 
  private:
-  const Library* library(const std::string& name, const description::Plugin& plugin, Paths paths,
+  const Library* library(const std::string& name, const description::Plugin& plugin, Paths paths, Need need,
                          Diagnostics& diagnostics);
-  void reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
+  void noteNotFound(const std::string& name, const description::Plugin& plugin, Need need, Diagnostics& diagnostics);
+  std::string lookedIn() const;
 
   std::vector<std::filesystem::path> searchPath_;
   /// Keyed by short name.
   std::map<std::string, std::unique_ptr<Library>> libraries_;
-  /// Missing systems that a warning was given for.
+  /// Short names of the plugins that were left out; each is reported once.
   std::vector<std::string> missed_;
+  /// Those not reported yet.
+  std::vector<description::Plugin> foreign_, unknown_;
 };
 
 }  // namespace pongsim::plugin

@@ -2,14 +2,48 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "plugin/sensor_plugins.hh"
 #include "pongsim/node.hh"
 
 namespace pongsim::sim {
 
 namespace {
+
+/// Adds the plugins that simulate the sensors of a model and of those nested in it.
+void addSensorPlugins(const description::Model& model, std::vector<description::Plugin>& plugins) {
+  const auto add = [&](const std::vector<description::Sensor>& sensors) {
+    for (const description::Sensor& sensor : sensors) {
+      description::Plugin plugin = plugin::sensorPlugin(sensor.type);
+      if (!plugin.filename.empty() && std::ranges::find(plugins, plugin) == plugins.end())
+        plugins.push_back(std::move(plugin));
+    }
+  };
+  for (const description::Link& link : model.links) add(link.sensors);
+  for (const description::Joint& joint : model.joints) add(joint.sensors);
+  for (const description::Model& nested : model.models) addSensorPlugins(nested, plugins);
+}
+
+/// @return The plugins of a world around these models: none, which means those of Fortress's server, unless they have
+/// sensors that need others.
+std::vector<description::Plugin> pluginsFor(const std::vector<description::Model>& models) {
+  std::vector<description::Plugin> plugins;
+  for (const description::Model& model : models) addSensorPlugins(model, plugins);
+  if (plugins.empty()) return plugins;
+  for (const auto& [system, className] :
+       {std::pair("scene-broadcaster", "SceneBroadcaster"), std::pair("physics", "Physics")}) {
+    description::Plugin plugin;
+    plugin.filename = "ignition-gazebo-" + std::string(system) + "-system";
+    plugin.className = "ignition::gazebo::systems::" + std::string(className);
+    plugin.sdf.name = "plugin";
+    plugins.insert(plugins.begin(), std::move(plugin));
+  }
+  return plugins;
+}
 
 /// @return A world around the models, lights and actors that stand in none: a ground, the sun, and what a world has by
 /// default.
@@ -27,6 +61,7 @@ description::World worldAround(sdf::Root root) {
     for (const auto& part : own) std::erase_if(standard, [&](const auto& other) { return other.name == part.name; });
     std::ranges::move(own, std::back_inserter(standard));
   };
+  world.plugins = pluginsFor(root.models);
   addTo(world.models, root.models);
   addTo(world.lights, root.lights);
   addTo(world.actors, root.actors);

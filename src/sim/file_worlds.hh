@@ -12,7 +12,7 @@
 namespace pongsim::sim {
 
 /// Makes the worlds of a file simulable: a file without worlds gets one around its models, lights and actors, with a
-/// ground, a sun, and the defaults of a world.
+/// ground, a sun, the systems that their sensors need, and the defaults of a world.
 /// @return Whether the file can be simulated; otherwise `diagnostics` has the reason.
 bool prepareWorlds(sdf::Root& root, Diagnostics& diagnostics);
 

@@ -12,14 +12,18 @@
 
 #include "base/is_below.hh"
 #include "base/prefetch.hh"
+#include "plugin/sensor_plugins.hh"
 #include "plugin/system_name.hh"
 
 namespace pongsim::sim {
 
 namespace {
 
+constexpr auto kRequired = plugin::Loader::Need::kRequired;
 constexpr std::string_view kPhysics = "physics";
 constexpr std::string_view kUserCommands = "user-commands";
+/// Number of the first system of the world that a model or an actor has brought, behind those of the world itself.
+constexpr std::size_t kBrought = 1'000'000;
 
 /// Fortress's servers add this where a world lists no system of its own.
 description::Plugin defaultSceneBroadcaster() {
@@ -76,6 +80,34 @@ description::Plugin joined(description::Plugin plugin, std::vector<description::
   return plugin;
 }
 
+/// @return Whether the system simulates all sensors of the world. A robot may bring it, since a URDF has no world.
+bool isOfSensors(const Declaration& declaration) {
+  return declaration.place() == Declaration::Place::kWorld && !declaration.readings().empty();
+}
+
+/// @return The index of the first sensor of the last model.
+std::size_t firstSensor(const world::Entities& entities, world::Slot model) {
+  const std::uint64_t id = entities.models()[model].id.value;
+  const std::vector<world::SensorRecord>& all = entities.sensors();
+  return static_cast<std::size_t>(
+      std::ranges::lower_bound(all, id, {}, [](const world::SensorRecord& each) { return each.id.value; }) -
+      all.begin());
+}
+
+/// @param name Of the system, for messages.
+/// @return Its description of itself; nothing, with a warning, if it fails.
+std::optional<Declaration> declared(System& system, const std::string& name, const SourcePosition& position,
+                                    Diagnostics& diagnostics) {
+  std::optional<Declaration> declaration(std::in_place);
+  try {
+    system.declare(*declaration);
+  } catch (const std::exception& error) {
+    diagnostics.warning(position, name + " is left out: " + error.what());
+    declaration.reset();
+  }
+  return declaration;
+}
+
 }  // namespace
 
 SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict,
@@ -104,6 +136,7 @@ void SystemSet::load(const description::World& world, bool isConfigured, const S
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
     for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, {paths_}, diagnostics);
   }
+  warnOfMissing(0, diagnostics);
   collect();
 }
 
@@ -112,21 +145,23 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
   std::vector<description::Plugin> more = pluginsOf(options.systems);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
   if (!isConfigured && std::ranges::none_of(world.plugins, isSystem)) {
-    add(defaultSceneBroadcaster_, 0, {}, {paths_}, diagnostics);
-    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, {paths_}, diagnostics);
+    add(defaultSceneBroadcaster_, 0, {}, {paths_, false, kRequired}, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, {paths_, false, kRequired}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
   for (std::size_t i = 0; i < world.plugins.size(); ++i) {
     if (!isSystem(world.plugins[i])) continue;
+    const std::size_t wanted = more.size();
     const description::Plugin plugin = joined(world.plugins[i], more);
+    const auto need = more.size() < wanted ? kRequired : plugin::Loader::Need::kOptional;
     const std::string name = plugin::systemName(plugin.filename);
     if (name == kPhysics) {
       wantsPhysics_ = true;
     } else if (name == kUserCommands) {
       Logger("plugins").info("user-commands is part of pongsim: every world has its services");
     } else {
-      add(plugin, i, {}, {paths_}, diagnostics);
+      add(plugin, i, {}, {paths_, false, need}, diagnostics);
     }
   }
   if (!wantsPhysics_ && options.physics) {
@@ -136,7 +171,8 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
-  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, {paths_}, diagnostics);
+  for (std::size_t i = 0; i < more.size(); ++i)
+    add(more[i], world.plugins.size() + i, {}, {paths_, false, kRequired}, diagnostics);
 }
 
 void SystemSet::loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics) {
@@ -160,30 +196,56 @@ bool SystemSet::isFromServer(const std::shared_ptr<const std::string>& file) {
 
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
                     Diagnostics& diagnostics) {
-  if (isFromServer(plugin.sdf.position.file)) origin = {plugin::Loader::Paths::kNever, true};
+  if (isFromServer(plugin.sdf.position.file)) origin = {plugin::Loader::Paths::kNever, true, origin.need};
+  std::string name = plugin::systemName(plugin.filename);
   std::unique_ptr<System> system;
+  std::optional<Declaration> declaration;
   {
     const base::RunningPart running(plugin.filename.c_str(), "while it was loaded");
-    system = loader_.load(plugin, origin.paths, diagnostics);
+    system = loader_.load(plugin, origin.paths, origin.need, diagnostics);
+    if (system != nullptr) declaration = declared(*system, name, plugin.sdf.position, diagnostics);
   }
-  if (system == nullptr) return;
+  if (!declaration) return;
 
-  std::string name = plugin::systemName(plugin.filename);
   std::optional<Model> model;
   std::optional<Actor> actor;
-  if (holder.model != world::kNoSlot) {
+  bool endsWithReset = false;
+  const std::string* nameSpace = nullptr;
+  const bool isInWorld = holder.model == world::kNoSlot && holder.actor == nullptr;
+  if (isOfSensors(*declaration) && !isInWorld) {
+    if (hasOfWorld(*declaration)) return;
+    number = kBrought + brought_++;
+    endsWithReset = holder.model != world::kNoSlot && access_.entities.models()[holder.model].id > lastOfFile_;
+  } else if (holder.model != world::kNoSlot) {
     const world::ModelRecord& record = access_.entities.models()[holder.model];
     model = Model(access_, record.id);
     name += " of " + record.scopedName;
+    nameSpace = &access_.entities.nameSpace(holder.model);
   } else if (holder.actor != nullptr) {
     actor = Actor(access_, holder.actor->id);
     name += " of " + holder.actor->description->name;
   }
-  const std::string& nameSpace = access_.entities.nameSpace(holder.model);
-  const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
+  const bool isBelow = nameSpace != nullptr && !nameSpace->empty();
+  const Node node = isBelow ? transport_.node().below(*nameSpace) : transport_.node();
   start({model ? model->id() : ModelId(), number, name, plugin.sdf, node, stream(SystemSlot::streamOf(name, number)),
-         std::move(system), actor ? actor->id() : ActorId(), where(), false, origin.isFromOutside},
+         std::move(system), *std::move(declaration), actor ? actor->id() : ActorId(), where(), false,
+         origin.isFromOutside, endsWithReset},
         model, actor, diagnostics);
+}
+
+bool SystemSet::hasOfWorld(const Declaration& declaration) const {
+  return std::ranges::any_of(
+      slots_, [&](const SystemSlot& slot) { return !slot.model() && slot.declaration().text() == declaration.text(); });
+}
+
+void SystemSet::warnOfMissing(std::size_t sensors, Diagnostics& diagnostics) {
+  loader_.reportMissing(diagnostics);
+  const std::vector<world::SensorRecord>& all = access_.entities.sensors();
+  if (sensors == all.size()) return;
+  plugin::SensorCheck check;
+  for (const SystemSlot& slot : slots_) check.add(slot.declaration());
+  for (; sensors < all.size(); ++sensors) check.add(*all[sensors].description);
+  check.report(diagnostics);
 }
 
 bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
@@ -197,9 +259,20 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   Element plugin;
   plugin.name = "plugin";
   const Random random = stream(SystemSlot::streamOf(name, number));
-  const bool isUsed = start(
-      {{}, number, std::move(name), std::move(plugin), transport_.node(), random, std::move(system), {}, where(), true},
-      {}, {}, diagnostics);
+  std::optional<Declaration> declaration = declared(*system, name, {}, diagnostics);
+  const bool isUsed = declaration && start({{},
+                                            number,
+                                            std::move(name),
+                                            std::move(plugin),
+                                            transport_.node(),
+                                            random,
+                                            std::move(system),
+                                            *std::move(declaration),
+                                            {},
+                                            where(),
+                                            true,
+                                            false},
+                                           {}, {}, diagnostics);
   collect();
   return isUsed;
 }
@@ -279,6 +352,7 @@ void SystemSet::check() const {
 
 void SystemSet::load(world::Slot model, bool isFromOutside, Diagnostics& diagnostics) {
   loadModelPlugins(model, {plugin::Loader::Paths::kNever, isFromOutside}, diagnostics);
+  if (loadsPlugins_) warnOfMissing(firstSensor(access_.entities, model), diagnostics);
   collect();
 }
 
@@ -322,7 +396,11 @@ void SystemSet::announceChanges() {
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
   queue_.clear();
-  end([&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
+  end([&](const SystemSlot& slot) {
+    return slot.endsWithReset() || (slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot);
+  });
+  brought_ = static_cast<std::size_t>(
+      std::ranges::count_if(slots_, [](const SystemSlot& slot) { return slot.number() >= kBrought; }));
   collect();
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);

@@ -39,8 +39,9 @@ class SystemSet {
   SystemSet& operator=(const SystemSet&) = delete;
 
   /// Makes and configures the world's systems: its own plugins in the order of the file, then each model's. A world
-  /// without systems gets the default ones of Fortress's server. A system with invalid parameters is left out with a
-  /// warning, as in Fortress, and the rest of the world runs.
+  /// without systems gets the default ones of Fortress's server. A plugin that is not found, or has invalid parameters,
+  /// is left out with a warning, as in Fortress, and the rest of the world runs. A system of sensors that stands in a
+  /// model, since a URDF has no world, is one of the world, unless the world has it already.
   /// @param isConfigured A server config file sets the systems: there are no default ones.
   /// @param options Additional systems, and whether a missing physics system matters.
   void load(const description::World& world, bool isConfigured, const SimulationOptions& options,
@@ -105,6 +106,8 @@ class SystemSet {
     plugin::Loader::Paths paths;
     /// As in `InsertOptions`.
     bool isFromOutside = false;
+    /// Whether whoever started the run asks for it, beside the file.
+    plugin::Loader::Need need = plugin::Loader::Need::kOptional;
   };
   void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
@@ -116,6 +119,11 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
+  /// @return Whether there is a system of the world of this kind.
+  bool hasOfWorld(const Declaration& declaration) const;
+  /// Warns of plugins that were left out, and of sensors that no system simulates.
+  /// @param sensors Where the new ones begin in the list of all.
+  void warnOfMissing(std::size_t sensors, Diagnostics& diagnostics);
   /// @return Whether it can be used.
   bool start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
              Diagnostics& diagnostics);
@@ -156,6 +164,8 @@ class SystemSet {
   /// Models of the file whose systems have ended; both return with a reset.
   std::vector<ModelId> unloaded_;
   ModelId lastOfFile_;
+  /// How many systems of the world came from models and actors.
+  std::size_t brought_ = 0;
   std::optional<std::string> failure_;
   EditQueue queue_;
   /// By topic, those that advertise it.

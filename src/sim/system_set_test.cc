@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/double.pb.h>
+#include <ignition/msgs/imu.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <memory>
@@ -95,15 +96,119 @@ TEST(SystemSet, WarnsOfParametersThatASystemDoesNotKnow) {
             "  hint: did you mean 'dynamic_pose_hertz'?");
 }
 
-TEST(SystemSet, ReportsAllPluginsThatAreNotThereAtOnce) {
+TEST(SystemSet, RunsWithoutPluginsThatAreNotThere) {
   Diagnostics diagnostics;
-  EXPECT_EQ(fallenAfterASecond(world(R"(<plugin filename="no-such-thing" name="a"/>
-                                        <plugin filename="nor-such-a-one" name="b"/>)"),
-                               {}, diagnostics),
-            -1);
-  int errors = 0;
-  for (const Diagnostic& diagnostic : diagnostics.all()) errors += diagnostic.severity == Severity::kError ? 1 : 0;
-  EXPECT_EQ(errors, 2);
+  const std::string physics = R"(<plugin filename="ignition-gazebo-physics-system" name=""/>)";
+  EXPECT_NEAR(fallenAfterASecond(world(physics + R"(<plugin filename="no-such-thing" name="a"/>
+                                                    <plugin filename="nor-such-a-one" name="b"/>
+                                                    <plugin filename="__default__" name="__default__"/>)"),
+                                 {}, diagnostics),
+              4.9, 0.01);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].severity, Severity::kWarning);
+  EXPECT_EQ(diagnostics.all()[0].message,
+            "2 plugins were not found: they are left out: 'no-such-thing' (line 1), 'nor-such-a-one' (line 2)");
+}
+
+TEST(SystemSet, DoesNotRunWithoutASystemThatTheUserAskedFor) {
+  Element plugin;
+  plugin.name = "plugin";
+  plugin.attributes = {{"filename", "no-such-thing", {}}, {"name", "a", {}}};
+  Diagnostics diagnostics;
+  EXPECT_EQ(fallenAfterASecond(world(""), {.systems = {plugin}}, diagnostics), -1);
+  EXPECT_TRUE(diagnostics.hasErrors());
+}
+
+/// A model with an IMU.
+/// @param imu Its plugin in the model, or nothing.
+std::string withImu(const std::string& name, const std::string& imu) {
+  return "<model name='" + name + "'><static>true</static><link name='l'><sensor name='s' type='imu'><topic>" + name +
+         "</topic></sensor></link>" + imu + "</model>";
+}
+
+constexpr const char* kImu = "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/>";
+
+class BroughtSystems : public testing::Test {
+ protected:
+  void load(const std::string& models) {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(
+        "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-"
+        "system' name='ignition::gazebo::systems::Physics'/>" +
+            models + "</world></sdf>",
+        "world.sdf", {}, diagnostics);
+    said_ = diagnostics.all();
+    ASSERT_NE(simulation_, nullptr);
+  }
+  /// @return The number of messages of ten steps: the last one arrives in the next step.
+  int readings(const std::string& topic) {
+    int count = 0;
+    const Subscription subscription = simulation_->transport().node().subscribe<ignition::msgs::IMU>(
+        topic, [&](const ignition::msgs::IMU&) { ++count; });
+    simulation_->step(10);
+    return count;
+  }
+
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<Diagnostic> said_;
+};
+
+TEST_F(BroughtSystems, AreOfTheWorldAndThereOnce) {
+  load(withImu("a", kImu) + withImu("b", kImu) + withImu("c", ""));
+  EXPECT_TRUE(said_.empty());
+  for (const char* topic : {"/a", "/b", "/c"}) EXPECT_EQ(readings(topic), 9) << topic;
+  // the world keeps it where the model that brought it is gone
+  EXPECT_TRUE(simulation_->remove(simulation_->world().model("a").value()));
+  EXPECT_EQ(readings("/b"), 9);
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  for (const char* topic : {"/a", "/b", "/c"}) EXPECT_EQ(readings(topic), 9) << topic;
+  EXPECT_TRUE(diagnostics.all().empty());
+}
+
+TEST_F(BroughtSystems, EndWithAResetIfAnInsertedModelBroughtThem) {
+  load(withImu("a", ""));
+  ASSERT_EQ(said_.size(), 1U);
+  EXPECT_EQ(said_[0].message, "sensor 's' (imu) publishes nothing: no plugin of the world simulates it");
+  const std::uint64_t before = simulation_->stateHash();
+  Diagnostics diagnostics;
+  EXPECT_TRUE(simulation_->insertText("<sdf version='1.9'>" + withImu("b", kImu) + "</sdf>", "b.sdf", {}, diagnostics));
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_EQ(readings("/a"), 9);
+  EXPECT_EQ(readings("/b"), 9);
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(simulation_->stateHash(), before);
+  EXPECT_EQ(readings("/a"), 0);
+  EXPECT_TRUE(diagnostics.all().empty());
+}
+
+TEST_F(BroughtSystems, AreMissedByAnInsertedModelWithoutThem) {
+  load("");
+  Diagnostics diagnostics;
+  EXPECT_TRUE(simulation_->insertText("<sdf version='1.9'>" + withImu("b", "") + "</sdf>", "b.sdf", {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message, "sensor 's' (imu) publishes nothing: no plugin of the world simulates it");
+}
+
+TEST_F(BroughtSystems, AreThoseOfSensorsOnly) {
+  load(
+      "<model name='m'><static>true</static><link name='l'/><plugin filename='ignition-gazebo-wind-effects-system' "
+      "name='ignition::gazebo::systems::WindEffects'/></model>");
+  ASSERT_EQ(said_.size(), 1U);
+  EXPECT_EQ(said_[0].message, "wind-effects of m is left out: it belongs in a <world>");
+}
+
+TEST(SystemSet, GivesARobotWithoutAWorldWhatItsSensorsNeed) {
+  Diagnostics diagnostics;
+  const auto simulation =
+      Simulation::fromText("<sdf version='1.9'>" + withImu("a", "") + "</sdf>", "robot.sdf", {}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  EXPECT_TRUE(diagnostics.all().empty());
+  int count = 0;
+  const Subscription subscription =
+      simulation->transport().node().subscribe<ignition::msgs::IMU>("/a", [&](const ignition::msgs::IMU&) { ++count; });
+  simulation->step(10);
+  EXPECT_EQ(count, 9);
 }
 
 /// Writes files, as recorders do, and can't complete them.
@@ -210,15 +315,15 @@ TEST_F(ChangingSystems, AreWhatTheyWereAfterAReset) {
   EXPECT_EQ(models_, "spinner hub ");
 }
 
-TEST_F(ChangingSystems, OfAModelThatCanNotBeHadLeaveNothingBehind) {
+TEST_F(ChangingSystems, OfAnInsertedModelThatCanNotBeHadAreLeftOut) {
   Diagnostics diagnostics;
   const std::string text = R"(<sdf version="1.9"><model name="m"><link name="l"/>
     <plugin filename="no-such-system" name="a"/></model></sdf>)";
-  EXPECT_FALSE(simulation_->insertText(text, "m.sdf", {}, diagnostics));
-  EXPECT_TRUE(diagnostics.hasErrors());
-  EXPECT_FALSE(simulation_->world().model("m"));
+  EXPECT_TRUE(simulation_->insertText(text, "m.sdf", {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message, "plugin 'no-such-system' was not found: it is left out");
   step();
-  EXPECT_EQ(models_, "spinner hub ");
+  EXPECT_EQ(models_, "spinner m hub l ");
 }
 
 }  // namespace

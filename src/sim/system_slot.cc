@@ -40,16 +40,16 @@ bool SystemSlot::start(World& world, const std::optional<Model>& model, const st
   const std::string left = parts_.name + " is left out: ";
   const base::RunningPart running(crashName_.c_str(), "in configure");
   try {
-    parts_.system->declare(declaration_);
-    if (const char* place = missingPlace(declaration_.place(), model.has_value(), actor.has_value())) {
+    const Declaration& declaration = parts_.declaration;
+    if (const char* place = missingPlace(declaration.place(), model.has_value(), actor.has_value())) {
       diagnostics.warning(plugin.position, left + "it belongs in " + place);
       return false;
     }
-    if (declaration_.hasFiles() && parts_.isFromOutside) {
+    if (declaration.hasFiles() && parts_.isFromOutside) {
       diagnostics.warning(plugin.position, left + "it uses files, which what is inserted or downloaded may not name");
       return false;
     }
-    if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
+    if (!declaration.read(plugin, parts_.name, diagnostics)) return false;
     parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_, actor});
     return true;
   } catch (const Error& error) {

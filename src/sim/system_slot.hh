@@ -37,6 +37,8 @@ class SystemSlot final : public CallGuard {
     Node node;
     Random random;
     std::unique_ptr<System> system;
+    /// Its description of itself, which refers to it.
+    Declaration declaration = {};
     /// Actor with the `<plugin>`, if any.
     ActorId actor = {};
     /// Follows its name in log messages: " (world b)", or empty.
@@ -45,6 +47,8 @@ class SystemSlot final : public CallGuard {
     bool isAdded = false;
     /// Whether it came with a model from outside or a file from a Fuel server.
     bool isFromOutside = false;
+    /// Whether it is a system of the world that an inserted model has brought: a reset ends it.
+    bool endsWithReset = false;
   };
   /// Called with the reason each time the system is switched off.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -61,6 +65,7 @@ class SystemSlot final : public CallGuard {
   const std::string& name() const { return parts_.name; }
   bool isAdded() const { return parts_.isAdded; }
   bool isFromOutside() const { return parts_.isFromOutside; }
+  bool endsWithReset() const { return parts_.endsWithReset; }
   /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.plugin.position; }
@@ -69,9 +74,9 @@ class SystemSlot final : public CallGuard {
     return name + "#" + std::to_string(number);
   }
   std::string stream() const { return streamOf(parts_.name, parts_.number); }
-  const Declaration& declaration() const { return declaration_; }
+  const Declaration& declaration() const { return parts_.declaration; }
 
-  /// Declares and configures the system.
+  /// Configures the system.
   /// @param world, model, actor Parent of the `<plugin>`; neither model nor actor for the world itself.
   /// @param before The systems before this one.
   /// @return Whether it can be used; otherwise `diagnostics` has the reason.
@@ -128,7 +133,6 @@ class SystemSlot final : public CallGuard {
   WorldEdits edits_;
   Failed failed_;
   Advertised advertised_;
-  Declaration declaration_;
   std::vector<std::string> topics_;
   // read by publishers' threads, too, whose messages it hears at once
   std::atomic<bool> isOff_ = false;

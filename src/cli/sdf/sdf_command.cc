@@ -16,6 +16,7 @@
 #include "cli/sdf/inertial_stats.hh"
 #include "cli/sdf/sdf_describe.hh"
 #include "cli/sdf/sdf_schema_text.hh"
+#include "plugin/world_check.hh"
 #include "pongsim/files/fuel_address.hh"
 #include "sdf/loader.hh"
 #include "sdf/text/degrees.hh"
@@ -55,7 +56,11 @@ std::optional<std::filesystem::path> localFile(const std::string& file, Diagnost
 /// @return The file's diagnostics, with warnings as errors if the user wants that.
 Diagnostics diagnosticsOf(const std::string& file, bool strict) {
   Diagnostics found;
-  if (const auto local = localFile(file, found)) sdf::loadFile(*local, found);
+  if (const auto local = localFile(file, found)) {
+    const sdf::Root root = sdf::loadFile(*local, found);
+    for (const description::World& world : root.worlds) plugin::checkPlugins(world, found);
+    for (const description::Model& model : root.models) plugin::checkPlugins(model, found);
+  }
   return strict ? asErrors(found) : found;
 }
 

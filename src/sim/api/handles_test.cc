@@ -207,6 +207,7 @@ TEST_F(HandlesTest, PutTopicsOfAnInsertedModelIntoItsNamespace) {
   constexpr const char* kCar =
       "<sdf version='1.9'><model name='car'><link name='l'>"
       "<sensor name='a' type='imu'/><sensor name='b' type='imu'><topic>b</topic></sensor></link>"
+      "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/>"
       "<plugin filename='ignition-gazebo-velocity-control-system' name='ignition::gazebo::systems::VelocityControl'>"
       "<topic>/cmd_vel</topic></plugin></model></sdf>";
   Diagnostics diagnostics;

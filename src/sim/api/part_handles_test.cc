@@ -36,7 +36,7 @@ class PartHandlesTest : public testing::Test {
  protected:
   PartHandlesTest() {
     Diagnostics diagnostics;
-    simulation_ = Simulation::fromText(kWorldOfParts, "world.sdf", {}, diagnostics);
+    simulation_ = Simulation::fromText(kWorldOfParts, "world.sdf", {.loadSystems = false}, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
   }
   Model outer() { return simulation_->world().model("outer").value(); }

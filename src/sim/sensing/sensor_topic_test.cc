@@ -20,7 +20,7 @@ class SensorTopicTest : public testing::Test {
     simulation_ = Simulation::fromText(
         "<sdf version='1.9'><world name='w'><model name='m'><link name='l'><sensor name='s' type='imu'>" + content +
             "</sensor></link></model></world></sdf>",
-        "world.sdf", {}, diagnostics);
+        "world.sdf", {.loadSystems = false}, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
     Node node = simulation_->transport().node();
     topic_ =

@@ -1,0 +1,77 @@
+#include "plugin/sensor_plugins.hh"
+
+#include <algorithm>
+#include <array>
+
+namespace pongsim::plugin {
+
+namespace {
+
+struct Row {
+  std::string_view sensorType, system, className;
+};
+
+constexpr std::string_view kSensors = "sensors", kSensorsClass = "Sensors";
+
+constexpr auto kRows = std::to_array<Row>({
+    {"air_pressure", "air-pressure", "AirPressure"},
+    {"altimeter", "altimeter", "Altimeter"},
+    {"camera", kSensors, kSensorsClass},
+    {"contact", "contact", "Contact"},
+    {"depth", kSensors, kSensorsClass},
+    {"depth_camera", kSensors, kSensorsClass},
+    {"force_torque", "forcetorque", "ForceTorque"},
+    {"gpu_lidar", kSensors, kSensorsClass},
+    {"gpu_ray", kSensors, kSensorsClass},
+    {"imu", "imu", "Imu"},
+    {"lidar", kSensors, kSensorsClass},
+    {"logical_camera", "logical-camera", "LogicalCamera"},
+    {"magnetometer", "magnetometer", "Magnetometer"},
+    {"navsat", "navsat", "NavSat"},
+    {"ray", kSensors, kSensorsClass},
+    {"rgbd", kSensors, kSensorsClass},
+    {"rgbd_camera", kSensors, kSensorsClass},
+});
+
+}  // namespace
+
+description::Plugin sensorPlugin(std::string_view sensorType) {
+  description::Plugin plugin;
+  const auto row = std::ranges::find(kRows, sensorType, &Row::sensorType);
+  if (row == kRows.end()) return plugin;
+  plugin.filename = "ignition-gazebo-" + std::string(row->system) + "-system";
+  plugin.className = "ignition::gazebo::systems::" + std::string(row->className);
+  plugin.sdf.name = "plugin";
+  return plugin;
+}
+
+void SensorCheck::add(const Declaration& system) {
+  for (const SensorReadings& readings : system.readings()) simulated_.insert(readings.sensorType);
+}
+
+void SensorCheck::add(const description::Sensor& sensor) { sensors_.push_back(&sensor); }
+
+void SensorCheck::report(Diagnostics& diagnostics) const {
+  std::vector<const description::Sensor*> silent;
+  std::vector<std::string> lines;
+  for (const description::Sensor* sensor : sensors_) {
+    const description::Plugin plugin = sensorPlugin(sensor->type);
+    if (plugin.filename.empty() || simulated_.contains(sensor->type)) continue;
+    silent.push_back(sensor);
+    const std::string line = "<plugin filename=\"" + plugin.filename + "\" name=\"" + plugin.className + "\"/>";
+    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+  }
+  if (silent.empty()) return;
+  const std::string first = "sensor '" + silent.front()->name + "' (" + silent.front()->type + ")";
+  const std::size_t others = silent.size() - 1;
+  const std::string what =
+      others == 0 ? first + " publishes nothing: no plugin of the world simulates it"
+      : others == 1
+          ? first + " and another one publish nothing: no plugin of the world simulates them"
+          : first + " and " + std::to_string(others) + " others publish nothing: no plugin of the world simulates them";
+  std::string hint = "add to the <world>";
+  for (const std::string& line : lines) hint += " " + line;
+  diagnostics.warning(silent.front()->position, what, hint);
+}
+
+}  // namespace pongsim::plugin

@@ -1,0 +1,67 @@
+#include "plugin/world_check.hh"
+
+#include <memory>
+#include <vector>
+
+#include "plugin/core_systems.hh"
+#include "plugin/loader.hh"
+#include "plugin/sensor_plugins.hh"
+
+namespace pongsim::plugin {
+
+namespace {
+
+class Check {
+ public:
+  explicit Check(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void addPlugins(const std::vector<description::Plugin>& plugins) {
+    for (const description::Plugin& plugin : plugins) {
+      if (coreSystem(plugin.filename) != nullptr || description::isLevelPlan(plugin.className)) continue;
+      const std::unique_ptr<System> system =
+          loader_.load(plugin, Loader::Paths::kNeedLeave, Loader::Need::kOptional, diagnostics_);
+      if (system == nullptr) continue;
+      Declaration declaration;
+      system->declare(declaration);
+      sensors_.add(declaration);
+    }
+  }
+
+  void addModel(const description::Model& model) {
+    addPlugins(model.plugins);
+    for (const description::Link& link : model.links) addSensors(link.sensors);
+    for (const description::Joint& joint : model.joints) addSensors(joint.sensors);
+    for (const description::Model& nested : model.models) addModel(nested);
+  }
+
+  void reportPlugins() { loader_.reportMissing(diagnostics_); }
+  void reportSensors() { sensors_.report(diagnostics_); }
+
+ private:
+  void addSensors(const std::vector<description::Sensor>& sensors) {
+    for (const description::Sensor& sensor : sensors) sensors_.add(sensor);
+  }
+
+  Diagnostics& diagnostics_;
+  Loader loader_;
+  SensorCheck sensors_;
+};
+
+}  // namespace
+
+void checkPlugins(const description::World& world, Diagnostics& diagnostics) {
+  Check check(diagnostics);
+  check.addPlugins(world.plugins);
+  for (const description::Model& model : world.models) check.addModel(model);
+  for (const description::Actor& actor : world.actors) check.addPlugins(actor.plugins);
+  check.reportPlugins();
+  check.reportSensors();
+}
+
+void checkPlugins(const description::Model& model, Diagnostics& diagnostics) {
+  Check check(diagnostics);
+  check.addModel(model);
+  check.reportPlugins();
+}
+
+}  // namespace pongsim::plugin
