@@ -58,7 +58,7 @@ Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& d
     addLink(robot, link, extensions, model);
   }
   for (const Link& link : robot.links) {
-    if (link.lumpedInto && isMade[link.lumpedInto->link]) addFrames(robot, link, model);
+    if (link.lumpedInto && isMade[link.lumpedInto->link]) addFrames(robot, link, extensions, model);
   }
   extensions.addToModel(model);
   addRobotPose(*robot.xml, model);

@@ -45,6 +45,20 @@ TEST(Converter, LeavesOutLinksWithoutMassAndWhatHangsOnThem) {
   EXPECT_FALSE(converted.has("joint", "k"));
 }
 
+// which libsdformat 12 does not keep
+TEST(Converter, LeavesOutFramesOfLumpedLinksWhoseNamesTheRobotUses) {
+  const Converted converted = convert(
+      linkNamed("base") + "<link name='lamp_link'/>" +
+      "<joint name='lamp' type='fixed'><parent link='base'/><child link='lamp_link'/><origin xyz='1 0 0'/></joint>"
+      "<gazebo><model name='lamp'><link name='body'/></model></gazebo>");
+  EXPECT_EQ(converted.messages, Messages());
+  std::vector<const Element*> frames = converted.model().childrenNamed("frame");
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0]->attributeOr("name", ""), "lamp_link");
+  EXPECT_EQ(frames[0]->attributeOr("attached_to", ""), "base");
+  EXPECT_EQ(textAt(*frames[0], "pose"), "1 0 0 0 0 0");
+}
+
 TEST(Converter, BearsAChainOfAsManyLinksAsThereMayBe) {
   std::string chain = linkNamed("l0");
   for (int i = 1; i < 5000; ++i) {

@@ -226,4 +226,12 @@ void Extensions::addToModel(Element& model) const {
   }
 }
 
+bool Extensions::namesInModel(const std::string& name) const {
+  return std::ranges::any_of(of(""), [&](const Element* gazebo) {
+    return std::ranges::any_of(gazebo->children, [&](const Element& child) {
+      return child.name != "plugin" && isVerbatim(child.name) && child.attributeOr("name", "") == name;
+    });
+  });
+}
+
 }  // namespace pongsim::urdf

@@ -30,6 +30,8 @@ class Extensions {
   void addToLink(const std::string& link, Element& target) const;
   void addToJoint(const std::string& joint, Element& element) const;
   void addToModel(Element& model) const;
+  /// @return Whether `addToModel` adds an element of this name.
+  bool namesInModel(const std::string& name) const;
 
  private:
   using List = std::vector<const Element*>;

@@ -136,15 +136,19 @@ void addLink(const Robot& robot, const Link& link, const Extensions& extensions,
   for (const Lumped& lumped : link.lumped) extensions.addToLink(robot.links[lumped.link].name, element);
 }
 
-void addFrames(const Robot& robot, const Link& link, Element& model) {
+void addFrames(const Robot& robot, const Link& link, const Extensions& extensions, Element& model) {
+  const std::string& parent = robot.links[link.joint->parent].name;
+  const auto add = [&](const std::string& name, const std::string& attachedTo, const SourcePosition& position) {
+    Element& frame = base::addChild(model, "frame", position);
+    base::setAttribute(frame, "name", name, position);
+    base::setAttribute(frame, "attached_to", attachedTo, position);
+    if (attachedTo == parent) addPose(frame, link.joint->X_ParentJoint, positionIn(*link.joint->xml, "origin"));
+  };
+  // the robot's own elements need the names: libsdformat 12 has no such frames
   const std::string& joint = link.joint->urdf->name;
-  Element& jointFrame = base::addChild(model, "frame", link.joint->xml->position);
-  base::setAttribute(jointFrame, "name", joint, link.joint->xml->position);
-  base::setAttribute(jointFrame, "attached_to", robot.links[link.joint->parent].name, link.joint->xml->position);
-  addPose(jointFrame, link.joint->X_ParentJoint, positionIn(*link.joint->xml, "origin"));
-  Element& linkFrame = base::addChild(model, "frame", link.xml->position);
-  base::setAttribute(linkFrame, "name", link.name, link.xml->position);
-  base::setAttribute(linkFrame, "attached_to", joint, link.xml->position);
+  const bool hasJointFrame = !extensions.namesInModel(joint);
+  if (hasJointFrame) add(joint, parent, link.joint->xml->position);
+  if (!extensions.namesInModel(link.name)) add(link.name, hasJointFrame ? joint : parent, link.xml->position);
 }
 
 }  // namespace pongsim::urdf
