@@ -38,6 +38,11 @@ void readNodes(const YAML::Node& yaml, ControllerFile& file, int depth) {
 
 ControllerFile readControllerFile(const std::filesystem::path& path) {
   ControllerFile file;
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    file.error = "it is not a regular file";
+    return file;
+  }
   try {
     readNodes(YAML::LoadFile(path.string()), file, 0);
   } catch (const YAML::BadFile&) {

@@ -34,6 +34,7 @@ TEST_F(ControllerFileTest, LooksIntoNamespaces) {
 
 TEST_F(ControllerFileTest, SaysWhatIsWrong) {
   EXPECT_EQ(readControllerFile(folder_.path() / "other.yaml").error, "there is no such file");
+  EXPECT_EQ(readControllerFile(folder_.path()).error, "it is not a regular file");
   EXPECT_TRUE(read("controller_manager:\n  ros__parameters:\n    update_rate: fast\n")
                   .error.starts_with("line 3, column 18: "));
   EXPECT_TRUE(read("a: [1\n").error.starts_with("line 2, column 1: "));

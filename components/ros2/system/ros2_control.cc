@@ -131,15 +131,19 @@ class Ros2Control final : public System {
   JointDriver::Settings readSettings(const SystemContext& context) {
     JointDriver::Settings settings;
     for (const Element* element : context.sdf.childrenNamed("parameters")) {
+      constexpr const char* kAssumed =
+          "the controllers' rate is assumed to be 100 Hz; set <update_rate> here if it differs";
+      if (element->text.empty()) {
+        context.diagnostics.warning(element->position, "<parameters> is empty", kAssumed);
+        continue;
+      }
       std::filesystem::path file = element->text;
       if (file.is_relative() && element->position.file != nullptr) {
         file = std::filesystem::path(*element->position.file).parent_path() / file;
       }
       const ControllerFile read = readControllerFile(file);
       if (!read.error.empty()) {
-        context.diagnostics.warning(
-            element->position, "parameters '" + element->text + "': " + read.error,
-            "the controllers' rate is assumed to be 100 Hz; set <update_rate> here if it differs");
+        context.diagnostics.warning(element->position, "parameters '" + element->text + "': " + read.error, kAssumed);
       }
       settings.updateRate = read.updateRate.value_or(settings.updateRate);
       settings.positionGain = read.positionGain.value_or(settings.positionGain);
