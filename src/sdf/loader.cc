@@ -54,14 +54,29 @@ Reading readRoot(Element& element, const std::shared_ptr<const UrdfSource>& urdf
   root.lights = std::move(parts.lights);
   root.actors = std::move(parts.actors);
   if (!root.models.empty()) reading.scopes.push_back(std::move(parts.scope));
-  if (root.worlds.empty() && root.models.empty() && root.lights.empty() && root.actors.empty()) {
+  const bool isEmpty = root.worlds.empty() && root.models.empty() && root.lights.empty() && root.actors.empty();
+  if (isEmpty && element.child("include") == nullptr) {
     diagnostics.error(element.position, "there is no <world> and no <model> in this file");
   }
   return reading;
 }
 
-/// Adds `found` to `diagnostics`, sorted by position, because some checks run late. Faults of a file that is included
-/// several times are reported once.
+/// @return The place in an included file and what is said of it, without the names of models, which depend on who
+/// includes the file.
+std::string causeOf(const Diagnostic& diagnostic) {
+  constexpr std::string_view kModel = "model '";
+  Diagnostic cause = diagnostic;
+  cause.includedFrom.clear();
+  for (std::size_t at = 0; (at = cause.message.find(kModel, at)) != std::string::npos; at += kModel.size()) {
+    const std::size_t name = at + kModel.size();
+    const std::size_t end = cause.message.find('\'', name);
+    if (end != std::string::npos) cause.message.erase(name, end - name);
+  }
+  return format(cause);
+}
+
+/// Adds `found` to `diagnostics`, sorted by position, because some checks run late. A fault of a file that is included
+/// several times is reported once.
 void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& diagnostics) {
   std::vector<Diagnostic> all = found.all();
   for (Diagnostic& diagnostic : all) diagnostic.includedFrom = includes.chainOf(diagnostic.position);
@@ -73,11 +88,7 @@ void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& 
   });
   std::set<std::string> said;
   for (Diagnostic& diagnostic : all) {
-    if (!diagnostic.includedFrom.empty()) {
-      Diagnostic withoutChain = diagnostic;
-      withoutChain.includedFrom.clear();
-      if (!said.insert(format(withoutChain)).second) continue;
-    }
+    if (!diagnostic.includedFrom.empty() && !said.insert(causeOf(diagnostic)).second) continue;
     diagnostics.add(std::move(diagnostic));
   }
 }

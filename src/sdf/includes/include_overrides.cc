@@ -37,4 +37,14 @@ void applyOverrides(const Element& include, Element& included, Context& context)
   }
 }
 
+void joinOverrides(const Element& outer, Element& inner) {
+  for (const Element& child : outer.children) {
+    if (child.name == "plugin") {
+      inner.children.push_back(child);
+    } else if (child.name != "uri") {
+      replaceChild(inner, child);
+    }
+  }
+}
+
 }  // namespace pongsim::sdf

@@ -10,4 +10,7 @@ namespace pongsim::sdf {
 /// @param context Context of the file with the `<include>`.
 void applyOverrides(const Element& include, Element& included, Context& context);
 
+/// Applies what an `<include>` of a file says to the `<include>` that is all of that file: its own overrides count.
+void joinOverrides(const Element& outer, Element& inner);
+
 }  // namespace pongsim::sdf

@@ -33,9 +33,10 @@ void setFileName(Element& element, const std::shared_ptr<const std::string>& nam
   for (Element& child : element.children) setFileName(child, name);
 }
 
-/// @return The part of a file that other files include; nothing, with an error, if there is none.
+/// @return The part of a file that other files include, which may be an include itself; nothing, with an error, if
+/// there is none.
 std::optional<Element> contentOf(Element& root, Diagnostics& diagnostics) {
-  constexpr std::array<std::string_view, 3> kKinds{"model", "light", "actor"};
+  constexpr std::array<std::string_view, 4> kKinds{"model", "light", "actor", "include"};
   const auto isContent = [&](const Element& child) { return std::ranges::find(kKinds, child.name) != kKinds.end(); };
   const auto content = std::ranges::find_if(root.children, isContent);
   if (content == root.children.end()) {
@@ -68,11 +69,17 @@ bool Includes::follow(const Element& include, Context& context, const ReadInclud
   Element content = *file.content;
   setFileName(content, newName(*path, include.position));
   if (keepsReplacements_) makeAddressesAbsolute(content, file.context.folder);
-  applyOverrides(include, content, context);
   open_.push_back(file.path);
-  read(content, file.context);
+  bool isRead = true;
+  if (content.name == "include") {
+    joinOverrides(include, content);
+    isRead = follow(content, file.context, read);
+  } else {
+    applyOverrides(include, content, context);
+    read(content, file.context);
+  }
   open_.pop_back();
-  return true;
+  return isRead;
 }
 
 void Includes::modernize(Element& root, Context& context) const {

@@ -284,5 +284,39 @@ TEST_F(IncludesTest, MergeOnlyModelsAndOnlyIntoModels) {
           "first one is in DIR/w.sdf, line 3 (from DIR/w.sdf:6:1)"}));
 }
 
+TEST_F(IncludesTest, MayStandOutsideOfAWorld) {
+  writeModel("crate", "<pose>0 0 1 0 0 0</pose><link name='l'/>");
+  write("only.sdf", "<include><uri>model://crate</uri><name>box</name><pose>0 0 2 0 0 0</pose></include>");
+  Loaded loaded = loadNamed("only.sdf");
+  EXPECT_EQ(loaded.messages, Messages());
+  ASSERT_EQ(loaded.root.models.size(), 1U);
+  EXPECT_EQ(loaded.root.models[0].name, "box");
+  expectPose(loaded.root.models[0].X_ParentModel, {0, 0, 2});
+  // such a file can be included in turn
+  loaded =
+      loadWorldWith("<include><uri>only.sdf</uri><name>top</name></include><include><uri>only.sdf</uri></include>");
+  EXPECT_EQ(loaded.messages, Messages());
+  ASSERT_EQ(loaded.world().models.size(), 2U);
+  EXPECT_EQ(loaded.world().models[0].name, "top");
+  expectPose(loaded.world().models[0].X_ParentModel, {0, 0, 2});
+  EXPECT_EQ(loaded.world().models[1].name, "box");
+}
+
+TEST_F(IncludesTest, MayNotIncludeEachOtherFromTheRoot) {
+  write("a.sdf", "<include><uri>b.sdf</uri></include>");
+  write("b.sdf", "<include><uri>a.sdf</uri></include>");
+  EXPECT_EQ(
+      loadNamed("a.sdf").messages,
+      Messages{"DIR/b.sdf:2:1: error: 'DIR/a.sdf' includes 'DIR/b.sdf', which includes it again (from DIR/a.sdf:2:1)"});
+}
+
+TEST_F(IncludesTest, ReportAFaultOnceWhateverTheModelsAreCalled) {
+  writeModel("base",
+             "<link name='l'><visual name='v'><geometry><mesh><uri>gone.dae</uri></mesh></geometry></visual></link>");
+  writeModel("mid", "<include merge='true'><uri>model://base</uri></include>");
+  const Loaded loaded = loadWorldWith("<include><uri>model://mid</uri><name>top</name></include>");
+  EXPECT_EQ(loaded.messages.size(), 1U);
+}
+
 }  // namespace
 }  // namespace pongsim::sdf::test

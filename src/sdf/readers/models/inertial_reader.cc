@@ -1,5 +1,8 @@
 #include "sdf/readers/models/inertial_reader.hh"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
 #include "sdf/text/values.hh"
 
 namespace pongsim::sdf {
@@ -21,6 +24,25 @@ bool fulfilsTriangleInequality(const Matrix3& moments) {
   // Second moments of the mass distribution, trace / 2 - I, which can't be negative.
   const double trace = moments.trace();
   return isPositiveDefinite((trace / 2 + trace * kTolerance) * Matrix3::Identity() - moments);
+}
+
+/// Square of the radius of gyration [m^2] of a body that is a point or a thin rod in the file: of a body of 1 mm.
+constexpr double kLeastRadiusSquared = 1e-6;
+
+/// Gives the principal moments that are zero, which no motion can have, the smallest that a body of this mass has.
+/// @return False, with nothing changed, if a moment is negative.
+bool raiseZeroMoments(description::Inertial& inertial) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.moments);
+  const Vector3 moments = solver.eigenvalues();
+  if (moments.minCoeff() < -kTolerance * moments.maxCoeff()) return false;
+  const double least = kLeastRadiusSquared * std::max(inertial.mass, moments.maxCoeff());
+  if (inertial.moments.isDiagonal(0)) {
+    for (int i = 0; i < 3; ++i) inertial.moments(i, i) = std::max(inertial.moments(i, i), least);
+    return true;
+  }
+  const Matrix3 axes = solver.eigenvectors();
+  inertial.moments = axes * moments.cwiseMax(least).asDiagonal() * axes.transpose();
+  return true;
 }
 
 Matrix3 readMoments(const Element& inertia, Context& context) {
@@ -54,9 +76,15 @@ description::Inertial readInertial(const Element& link, const std::string& owner
   // scaled by the largest moment, so that the tolerance is relative and nothing overflows
   const double largest = inertial.moments.cwiseAbs().maxCoeff();
   const Matrix3 scaled = largest > 0 ? Matrix3(inertial.moments / largest) : inertial.moments;
+  const bool isPoint = largest == 0;
   if (!isPositiveDefinite(scaled)) {
-    context.diagnostics.error(inertia->position, "the inertia of " + owner + " is not positive definite",
-                              "ixx, iyy and izz must be above zero, and ixy, ixz and iyz small enough");
+    if (!raiseZeroMoments(inertial)) {
+      context.diagnostics.error(inertia->position, "the inertia of " + owner + " is not positive definite",
+                                "ixx, iyy and izz must be above zero, and ixy, ixz and iyz small enough");
+    } else if (isPoint) {
+      context.diagnostics.warning(inertia->position,
+                                  "the inertia of " + owner + " is zero: that of a body of 1 mm is used");
+    }
   } else if (!fulfilsTriangleInequality(scaled)) {
     context.diagnostics.warning(inertia->position, "the inertia of " + owner + " is impossible",
                                 "no principal moment can exceed the sum of the other two");

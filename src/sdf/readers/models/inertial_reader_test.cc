@@ -48,10 +48,25 @@ TEST(Inertial, MustBePositiveDefinite) {
   const Messages refused{
       "t.sdf:4:11: error: the inertia of link 'l' of model 'm' is not positive definite | ixx, iyy and izz must be "
       "above zero, and ixy, ixz and iyz small enough"};
-  EXPECT_EQ(loadLink(inertia(1, 0, 1)).messages, refused);
   EXPECT_EQ(loadLink(inertia(-1, 1, 1)).messages, refused);
   EXPECT_EQ(loadLink(inertia(1, 1, 1, 1.5)).messages, refused);
-  EXPECT_EQ(loadLink(inertia(0, 0, 0)).messages, refused);
+}
+
+// libsdformat takes these, too
+TEST(Inertial, MayBeThatOfAThinRodOrAPoint) {
+  const Loaded rod = loadLink(inertia(1, 0, 1));
+  EXPECT_EQ(rod.messages, Messages());
+  EXPECT_EQ(rod.model().links.at(0).inertial.moments.diagonal(), Vector3(1, 1e-6, 1));
+  // along the diagonal of x and y
+  const Loaded turned = loadLink(inertia(0.5, 0.5, 1, 0.5));
+  EXPECT_EQ(turned.messages, Messages());
+  const Matrix3 moments = turned.model().links.at(0).inertial.moments;
+  EXPECT_NEAR(moments(0, 0) - moments(0, 1), 1e-6, 1e-12);
+  EXPECT_NEAR(moments(0, 0) + moments(0, 1), 1, 1e-12);
+  const Loaded point = loadLink(inertia(0, 0, 0));
+  EXPECT_EQ(point.messages, Messages{"t.sdf:4:11: warning: the inertia of link 'l' of model 'm' is zero: that of a "
+                                     "body of 1 mm is used"});
+  EXPECT_EQ(point.model().links.at(0).inertial.moments, Matrix3(1e-6 * Matrix3::Identity()));
 }
 
 TEST(Inertial, ShouldBeThatOfABody) {

@@ -1,6 +1,9 @@
 #include "sdf/readers/models/parts_reader.hh"
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "sdf/includes/includes.hh"
@@ -15,6 +18,8 @@ namespace {
 
 // Group of names: links, joints, frames and models share one, because each of them is a frame.
 constexpr std::string_view kFrames = "frame";
+/// Parts that may stand outside of any world.
+constexpr std::array<std::string_view, 4> kInRoot{"model", "light", "actor", "include"};
 
 }  // namespace
 
@@ -26,7 +31,7 @@ void PartsReader::read(const Element& holder) {
   const bool isRoot = holder.name == "sdf";
   const Source source{context_};
   for (const Element& child : holder.children) {
-    if (isRoot && child.name != "model" && child.name != "light" && child.name != "actor") continue;
+    if (isRoot && std::ranges::find(kInRoot, child.name) == kInRoot.end()) continue;
     readPart(child, source);
   }
 }

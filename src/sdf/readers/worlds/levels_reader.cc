@@ -45,6 +45,7 @@ class LevelsReader {
     plan.isGiven = true;
     for (const Element* element : plugin.childrenNamed("performer")) readPerformer(*element, plan);
     for (const Element* element : plugin.childrenNamed("level")) readLevel(*element, plan);
+    warnOfMissing();
     return plan;
   }
 
@@ -142,8 +143,11 @@ class LevelsReader {
                    description::Level& level) {
     for (const Element* ref : element.childrenNamed("ref")) {
       if (std::ranges::find(all_, ref->text) == all_.end()) {
-        warn(ref->position, label + " names '" + ref->text + "', which is not a model, light or actor of the world",
-             ref->text.empty() ? "write <ref>MODEL</ref>" : base::didYouMean(ref->text, all_));
+        if (missing_++ == 0) {
+          firstMissing_ = {ref->position,
+                           label + " names '" + ref->text + "', which is not a model, light or actor of the world",
+                           ref->text.empty() ? "write <ref>MODEL</ref>" : base::didYouMean(ref->text, all_)};
+        }
         continue;
       }
       if (std::ranges::find(plan.performers, ref->text, &description::Performer::ref) != plan.performers.end()) {
@@ -159,7 +163,25 @@ class LevelsReader {
     if (element.child("ref") == nullptr) warn(level.position, label + " is empty", "write <ref>MODEL</ref>");
   }
 
+  /// Where an include is missing, so are the members of all levels: one warning stands for them.
+  void warnOfMissing() {
+    if (missing_ == 0) return;
+    const std::size_t others = missing_ - 1;
+    std::string more;
+    if (others == 1) more = " (nor is another name of the levels)";
+    if (others > 1) more = " (nor are " + std::to_string(others) + " other names of the levels)";
+    warn(firstMissing_.position, firstMissing_.text + more, firstMissing_.hint);
+  }
+
+  struct Missing {
+    SourcePosition position;
+    std::string text, hint;
+  };
+
   Context& context_;
+  /// Members of levels that are not in the world, and the first of them.
+  std::size_t missing_ = 0;
+  Missing firstMissing_;
   /// Names of the entities that can be performers, and of those that can be in a level.
   std::vector<std::string_view> movers_;
   std::vector<std::string_view> all_;

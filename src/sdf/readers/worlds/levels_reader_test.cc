@@ -78,13 +78,20 @@ TEST(Levels, NameWhatIsThere) {
                                    "<level name='m'>" +
                                    kBox + "</level>");
   EXPECT_EQ(loaded.messages, (Messages{"t.sdf:3:67: warning: level 'l' names 'tlie', which is not a model, light or "
-                                       "actor of the world | did you mean 'tile'?",
-                                       "t.sdf:4:1: warning: level 'l' names '', which is not a model, light or actor "
-                                       "of the world | write <ref>MODEL</ref>",
+                                       "actor of the world (nor is another name of the levels) | did you mean 'tile'?",
                                        "t.sdf:4:22: warning: level 'l' names 'tile' twice",
                                        "t.sdf:5:1: warning: level 'm' is empty | write <ref>MODEL</ref>"}));
   ASSERT_EQ(loaded.world().levels.levels.size(), 2U);
   EXPECT_EQ(loaded.world().levels.levels[0].members.size(), 1U);
+}
+
+TEST(Levels, WhoseMembersAreAllMissingAreWarnedOfOnce) {
+  std::string levels;
+  for (const char* name : {"a", "b", "c"})
+    levels += "<level name='" + std::string(name) + "'>" + kBox + "<ref>gone</ref><ref/></level>";
+  EXPECT_EQ(loadLevels(levels).messages,
+            (Messages{"t.sdf:3:67: warning: level 'a' names 'gone', which is not a model, light or actor of the world "
+                      "(nor are 5 other names of the levels)"}));
 }
 
 TEST(Levels, OfOneNameAreWarnedOf) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -131,7 +132,9 @@ description::PhysicsProfile readProfile(const Element& element, Context& context
         element.child("max_step_size")->position,
         "a step of " + std::string(childText(element, "max_step_size")) + " s is out of range: 1e-9 to 1e6 s");
   }
-  profile.realTimeFactor = readNotNegative(element, "real_time_factor", profile.realTimeFactor, context);
+  // as in Gazebo, negative means as fast as possible, like zero; infinity means the same
+  const double factor = readLimit(element, "real_time_factor", profile.realTimeFactor, context);
+  profile.realTimeFactor = std::isfinite(factor) ? std::max(factor, 0.0) : 0.0;
   profile.realTimeUpdateRate = readLimit(element, "real_time_update_rate", profile.realTimeUpdateRate, context);
   profile.maxContacts = readInteger(element, "max_contacts", profile.maxContacts, std::numeric_limits<int>::min(),
                                     std::numeric_limits<int>::max(), context);

@@ -74,8 +74,17 @@ TEST(Physics, RefusesStepsThatAreNone) {
             Messages{"t.sdf:2:10: error: a step of 1e-12 s is out of range: 1e-9 to 1e6 s"});
   EXPECT_EQ(messages("<max_step_size>1e300</max_step_size>"),
             Messages{"t.sdf:2:10: error: a step of 1e300 s is out of range: 1e-9 to 1e6 s"});
-  EXPECT_EQ(messages("<real_time_factor>-1</real_time_factor>"),
-            Messages{"t.sdf:2:10: error: <real_time_factor> is '-1', which is not a finite, non-negative number"});
+  EXPECT_EQ(messages("<real_time_factor>fast</real_time_factor>"),
+            Messages{"t.sdf:2:10: error: <real_time_factor> is 'fast', which is not a number"});
+}
+
+TEST(Physics, TakesAFactorThatIsNoPaceForAsFastAsPossible) {
+  for (const char* factor : {"-1.0", "-1e30", "inf"}) {
+    const Loaded loaded =
+        loadWorld("<physics><real_time_factor>" + std::string(factor) + "</real_time_factor></physics>");
+    EXPECT_EQ(loaded.messages, Messages()) << factor;
+    EXPECT_EQ(loaded.world().physics.realTimeFactor, 0) << factor;
+  }
 }
 
 TEST(Physics, ReadsGravity) { EXPECT_EQ(loadWorld("<gravity>1 2 3</gravity>").world().gravity, Vector3(1, 2, 3)); }
