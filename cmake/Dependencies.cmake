@@ -11,6 +11,7 @@ find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(jpeg REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
+pkg_check_modules(tiff REQUIRED IMPORTED_TARGET libtiff-4)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
@@ -24,7 +25,7 @@ if(BUILD_TESTING)
 endif()
 
 # No warnings about other projects' headers.
-foreach(target PkgConfig::assimp PkgConfig::jpeg PkgConfig::png PkgConfig::tinyxml2 PkgConfig::urdfdom PkgConfig::bullet
+foreach(target PkgConfig::assimp PkgConfig::jpeg PkgConfig::png PkgConfig::tiff PkgConfig::tinyxml2 PkgConfig::urdfdom PkgConfig::bullet
         PkgConfig::ignition_msgs)
   get_target_property(directories ${target} INTERFACE_INCLUDE_DIRECTORIES)
   if(directories)
@@ -51,3 +52,4 @@ endfunction()
 pongsim_opened_library(assimp assimp PkgConfig::assimp)
 pongsim_opened_library(embree embree3 embree)
 pongsim_opened_library(osmesa OSMesa PkgConfig::osmesa)
+pongsim_opened_library(tiff tiff PkgConfig::tiff)

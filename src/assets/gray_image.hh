@@ -23,7 +23,7 @@ struct GrayImage {
 /// Images with more pixels are refused.
 inline constexpr std::size_t kMostPixels = 1'000'000;
 
-/// Reads a PNG file.
+/// Reads a PNG, JPEG or TIFF file; its name does not matter.
 std::variant<GrayImage, Problem> readGrayImage(const std::filesystem::path& file);
 
 }  // namespace pongsim::assets
