@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,19 @@ enum class JointType { kRevolute, kContinuous, kPrismatic, kBall, kFixed, kUnive
 /// @return SDF's name for the type: "revolute".
 std::string_view name(JointType type);
 
+/// `<mimic>`: an axis follows another one of its model, at multiplier * (position of that one - reference) + offset.
+struct Mimic {
+  /// Name of the other axis' joint in the model.
+  std::string joint;
+  SourcePosition position;
+  /// 0 or 1.
+  std::size_t axis = 0;
+  double multiplier = 1;
+  double offset = 0;
+  double reference = 0;
+  bool operator==(const Mimic&) const = default;
+};
+
 /// `<axis>`: a degree of freedom. Angles [rad] and their derivatives for a rotation axis, [m] for a translation axis.
 struct JointAxis {
   /// Unit vector in the joint frame.
@@ -29,6 +44,7 @@ struct JointAxis {
   double friction = 0;
   double springReference = 0;
   double springStiffness = 0;
+  std::optional<Mimic> mimic = {};
   bool operator==(const JointAxis&) const = default;
 };
 

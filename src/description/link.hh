@@ -59,9 +59,6 @@ struct Surface {
   double restitution = 0;
   /// Slower impacts [m/s] don't bounce (`<bounce><threshold>`); unset: the engine's default.
   std::optional<double> bounceThreshold;
-  /// Contact stiffness and damping (`<contact><ode><kp>`, `<kd>`) [N/m], [N s/m]; unset: rigid.
-  std::optional<double> stiffness;
-  double damping = 1;
   /// `<torsional>`: friction against spinning about the normal.
   Torsion torsion;
   /// Maximum number of contact points with another collision (`<max_contacts>`); unset: see the world's `<physics>`.

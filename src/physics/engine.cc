@@ -175,12 +175,22 @@ void Engine::Parts::prepareHulls() {
 }
 
 void Engine::Parts::addJoints() {
-  for (world::Slot slot = joints.size(); slot < entities.joints().size(); ++slot) {
+  const world::Slot first = joints.size();
+  for (world::Slot slot = first; slot < entities.joints().size(); ++slot) {
     const world::JointRecord& record = entities.joints()[slot];
     const description::Joint& description = *record.description;
     joints.push_back(arena.make<Joint>(description, end(record.parentLink, description.X_ParentJoint),
                                        end(record.childLink, description.X_ChildJoint),
                                        end(record.referenceLink, description.X_ReferenceJoint)));
+  }
+  for (world::Slot slot = first; slot < joints.size(); ++slot) {
+    const world::JointRecord& record = entities.joints()[slot];
+    if (record.model == world::kNoSlot) continue;
+    for (std::size_t i = 0; i < joints[slot]->axisCount(); ++i) {
+      const std::optional<description::Mimic>& mimic = record.description->axes[i].mimic;
+      const world::Slot leader = mimic ? entities.findJoint(record.model, mimic->joint) : world::kNoSlot;
+      if (hasAxis(leader, mimic ? mimic->axis : 0)) joints[slot]->follow(i, *joints[leader]);
+    }
   }
 }
 

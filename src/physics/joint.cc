@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "description/limits.hh"
 #include "physics/convert.hh"
@@ -48,21 +49,6 @@ btVector3 secondAxisOf(const description::Joint& joint) {
   return toBullet(Vector3(turnOf(joint).conjugate() * joint.axes[1].xyz));
 }
 
-// moment of inertia of the body about an axis through the joint's origin, the axis in the joint frame; infinite if it
-// can't move
-double inertiaAbout(const JointEnd& end, const btTransform& X_BodyJoint, const btVector3& axisOfJoint) {
-  if (!end.moves) return kInfinity;
-  const btVector3 axis = X_BodyJoint.getBasis() * axisOfJoint;
-  const btVector3 inverse = end.body->getInvInertiaDiagLocal();
-  const btVector3 own(axis.x() * axis.x() / inverse.x(), axis.y() * axis.y() / inverse.y(),
-                      axis.z() * axis.z() / inverse.z());
-  return own.x() + own.y() + own.z() + X_BodyJoint.getOrigin().cross(axis).length2() / end.body->getInvMass();
-}
-
-double inertiaAlong(const JointEnd& end) { return end.moves ? 1 / end.body->getInvMass() : kInfinity; }
-
-double inSeries(double a, double b) { return 1 / (1 / a + 1 / b); }
-
 // angle of a vector about x, counted from y
 double angleAboutX(const btVector3& v) { return math::atan2(v.z(), v.y()); }
 
@@ -93,21 +79,10 @@ Joint::Joint(const description::Joint& description, const JointEnd& parent, cons
       secondAxis_(secondAxisOf(description)),
       parentMoves_(parent.moves),
       childMoves_(child.moves) {
-  const std::array<btVector3, 2> directions{btVector3(1, 0, 0), secondAxis_};
-  for (std::size_t i = 0; i < axisCount_; ++i) {
-    axes_[i].description = description.axes[i];
-    axes_[i].inertia = inertiaOf(parent, child, directions[i]);
-  }
+  for (std::size_t i = 0; i < axisCount_; ++i) axes_[i].description = description.axes[i];
   if (type_ != JointType::kGearbox) return;
   gearbox_ = std::make_unique<Gearbox>(description.gearboxRatio, *reference.body, reference.moves,
                                        alongAxis(reference.X_BodyJoint, description));
-}
-
-double Joint::inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const {
-  const double along = inSeries(inertiaAlong(parent), inertiaAlong(child));
-  if (slides_) return along;
-  const double about = inSeries(inertiaAbout(parent, X_ParentJoint_, axis), inertiaAbout(child, X_ChildJoint_, axis));
-  return lead_ == 0 ? about : about + lead_ * lead_ * along;
 }
 
 world::JointState Joint::state() const {
@@ -159,29 +134,22 @@ void Joint::prepare(double dt) {
 
 void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
   const description::JointAxis& description = axis.description;
-  axis.motor.active = false;
-  axis.limit.active = false;
-
-  // an explicit spring, no stiffer than is stable at this step
-  double force = axis.force;
-  axis.force = 0;
-  if (description.springStiffness > 0) {
-    const double stiffness = std::min(description.springStiffness, axis.inertia / (dt * dt));
-    force += stiffness * (description.springReference - axis.position);
-  }
-  axis.appliedForce = std::clamp(force, -description.effort, description.effort);
+  axis.motor.active = axis.damper.active = axis.limit.active = false;
+  axis.appliedForce = std::clamp(std::exchange(axis.force, 0), -description.effort, description.effort);
   axis.appliedAlong = along;
 
-  // a motor holds its velocity with all its effort; else friction and damping hold against what moves
-  if (axis.velocityTarget) {
+  // a motor holds its velocity with all its effort; else friction holds against what moves
+  const std::optional<double> target = targetOf(axis, dt);
+  if (target) {
     const double impulse = description.effort * dt;
     const double lowest = (description.lower - axis.position) / dt;
     const double highest = (description.upper - axis.position) / dt;
-    axis.motor = {true, std::max(std::min(*axis.velocityTarget, highest), lowest), -impulse, impulse};
-  } else if (description.friction > 0 || description.damping > 0) {
-    const double impulse = (description.friction + description.damping * std::abs(axis.velocity)) * dt;
-    axis.motor = {true, 0, -impulse, impulse};
+    axis.motor = {true, std::max(std::min(*target, highest), lowest), -impulse, impulse};
+  } else if (description.friction > 0) {
+    axis.motor = {true, 0, -description.friction * dt, description.friction * dt};
   }
+  const bool isHeld = target && std::isinf(description.effort);
+  if (!isHeld) prepareDamper(axis, dt);
 
   // a limit has a row if this step could reach it; the 1 in `reach` allows for what the forces add to the velocity
   const double reach = (std::abs(axis.velocity) + 1) * 2 * dt;
@@ -190,6 +158,28 @@ void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
   } else if (axis.position > description.upper - reach) {
     axis.limit = {true, description.upper - axis.position, -kInfinity, 0};
   }
+}
+
+/// @return The velocity that the axis is driven at: the commanded one, or the one that takes it to where it mimics the
+/// leader to be at the end of the step. As with DART's mimic motor, the leader does not feel it.
+std::optional<double> Joint::targetOf(const Axis& axis, double dt) {
+  if (axis.velocityTarget || axis.leader == nullptr) return axis.velocityTarget;
+  const description::Mimic& mimic = *axis.description.mimic;
+  const Axis& leader = axis.leader->axes_[mimic.axis];
+  const double position = leader.position + dt * leader.velocity;
+  const double target = mimic.multiplier * (position - mimic.reference) + mimic.offset;
+  const double limit = axis.description.velocity;
+  return std::clamp((target - axis.position) / dt, -limit, limit);
+}
+
+/// Spring k and damper d act at the end of the step h, so that they are stable for any inertia, as in Fortress's DART:
+/// the impulse is -h (k (q + h v - q0) + d v), so v + impulse / (h d + h^2 k) = -k (q - q0) / (d + h k).
+void Joint::prepareDamper(Axis& axis, double dt) {
+  const description::JointAxis& description = axis.description;
+  const double sum = description.damping + dt * description.springStiffness;
+  if (!(sum > 0)) return;
+  const double stretch = axis.position - description.springReference;
+  axis.damper = {true, -description.springStiffness * stretch / sum, -kInfinity, kInfinity, 1 / (dt * sum)};
 }
 
 void Joint::applyForce(const btVector3& force, const btVector3& point) {

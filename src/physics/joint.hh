@@ -34,8 +34,10 @@ struct JointEnd {
 /// A gearbox couples the rotations of its ends about two axes of a third body with one row, and has no axis to command.
 class Joint final {
  public:
-  /// Maximum number of rows: those of a universal joint with two motors and two limits.
-  static constexpr std::size_t kMostRows = 8;
+  /// Maximum number of rows: those of a universal joint with two motors, dampers and limits.
+  static constexpr std::size_t kMostRows = 10;
+  /// Of these, those without bounds.
+  static constexpr std::size_t kMostEquations = 6;
 
   /// @param reference For a gearbox: the body that its axes are fixed to.
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
@@ -58,6 +60,9 @@ class Joint final {
   void setVelocityTarget(double velocity, std::size_t axis);
   void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
+  /// Makes an axis follow another joint's, as its `<mimic>` says, wherever it has no velocity target.
+  /// @param leader Must outlive this.
+  void follow(std::size_t axis, const Joint& leader) { axes_[axis].leader = &leader; }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
   /// @return Whether any axis has a nonzero commanded force or velocity.
   bool isDriven() const;
@@ -106,12 +111,12 @@ class Joint final {
     double velocity = 0;
     double lowestImpulse = 0;
     double highestImpulse = 0;
+    double compliance = 0;
   };
   struct Axis {
     description::JointAxis description;
-    /// [kg m^2] or [kg]: the inertia that a force along the axis moves, ignoring other joints.
-    double inertia = 0;
     std::optional<double> velocityTarget;
+    const Joint* leader = nullptr;
     double force = 0;
     double position = 0;
     double velocity = 0;
@@ -119,6 +124,7 @@ class Joint final {
     double appliedForce = 0;
     btVector3 appliedAlong{0, 0, 0};
     AxisRow motor;
+    AxisRow damper;
     AxisRow limit;
 
     void unwrap(double angle);
@@ -133,12 +139,13 @@ class Joint final {
     btTransform X_BodyJoint;
   };
 
-  double inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const;
   Axes axesAlong(const btVector3& first) const;
   Frames frames() const;
   std::array<double, 2> angles(const Frames& frames) const;
   double offset(const Frames& frames) const;
   void prepare(Axis& axis, const btVector3& along, double dt);
+  static std::optional<double> targetOf(const Axis& axis, double dt);
+  static void prepareDamper(Axis& axis, double dt);
   void updateTurn();
   void updateGears();
   btMatrix3x3 gearboxBasis() const;

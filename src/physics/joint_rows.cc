@@ -45,19 +45,21 @@ struct Joint::RowWriter {
 
   /// The child's velocity along `direction` at the joint, relative to the parent; of a screw, less `lead` times the
   /// relative angular velocity about it.
-  void linear(const btVector3& direction, double bias, double lowest, double highest, double lead = 0) {
+  void linear(const btVector3& direction, double bias, double lowest, double highest, double lead = 0,
+              double compliance = 0) {
     add({direction,
          -parentArm.cross(direction) + lead * direction,
          childArm.cross(direction) - lead * direction,
          {},
          bias,
          lowest,
-         highest});
+         highest,
+         compliance});
   }
 
   /// The child's angular velocity about `direction`, relative to the parent.
-  void angular(const btVector3& direction, double bias, double lowest, double highest) {
-    add({btVector3(0, 0, 0), -direction, direction, {}, bias, lowest, highest});
+  void angular(const btVector3& direction, double bias, double lowest, double highest, double compliance = 0) {
+    add({btVector3(0, 0, 0), -direction, direction, {}, bias, lowest, highest, compliance});
   }
 
   /// The weighted sum of the angular velocities of parent and child, relative to the reference body.
@@ -76,7 +78,8 @@ struct Joint::RowWriter {
 std::size_t Joint::rowCount() const {
   std::size_t count = static_cast<std::size_t>(linearRows_ + angularRows_);
   if (type_ == JointType::kScrew || gearbox_) ++count;
-  for (const Axis& axis : axes_) count += (axis.motor.active ? 1 : 0) + (axis.limit.active ? 1 : 0);
+  for (const Axis& axis : axes_)
+    count += (axis.motor.active ? 1 : 0) + (axis.damper.active ? 1 : 0) + (axis.limit.active ? 1 : 0);
   return count;
 }
 
@@ -150,12 +153,13 @@ void Joint::addCrossRow(RowWriter& writer, const Frames& frames, double errorRat
 void Joint::addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp) const {
   const auto add = [&](const AxisRow& row, double bias) {
     if (slides_) {
-      writer.linear(along, bias, row.lowestImpulse, row.highestImpulse);
+      writer.linear(along, bias, row.lowestImpulse, row.highestImpulse, 0, row.compliance);
     } else {
-      writer.angular(along, bias, row.lowestImpulse, row.highestImpulse);
+      writer.angular(along, bias, row.lowestImpulse, row.highestImpulse, row.compliance);
     }
   };
   if (axis.motor.active) add(axis.motor, axis.motor.velocity);
+  if (axis.damper.active) add(axis.damper, axis.damper.velocity);
   if (axis.limit.active) {
     // reach the limit within this step, but return from beyond it by the fraction `erp`
     const bool isBeyond = (axis.limit.highestImpulse > 0) == (axis.limit.velocity > 0);

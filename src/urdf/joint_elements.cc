@@ -49,6 +49,13 @@ void addAxis(const Joint& joint, Element& element, Diagnostics& diagnostics) {
   Element& axis = base::addChild(element, "axis", position);
   base::addChild(axis, "xyz", position, textOf(Vector3(urdf.axis.x, urdf.axis.y, urdf.axis.z)));
   addLimits(joint, axis, diagnostics);
+  if (urdf.mimic != nullptr) {
+    const SourcePosition& mimicPosition = positionIn(*joint.xml, "mimic");
+    Element& mimic = base::addChild(axis, "mimic", mimicPosition);
+    base::setAttribute(mimic, "joint", urdf.mimic->joint_name, mimicPosition);
+    base::addChild(mimic, "multiplier", mimicPosition, textOf(urdf.mimic->multiplier));
+    base::addChild(mimic, "offset", mimicPosition, textOf(urdf.mimic->offset));
+  }
   const SourcePosition& dynamicsPosition = positionIn(*joint.xml, "dynamics");
   Element& dynamics = base::addChild(axis, "dynamics", dynamicsPosition);
   if (urdf.dynamics == nullptr) return;
@@ -67,11 +74,6 @@ void addLockedAxis(const SourcePosition& position, Element& element) {
 
 void warnOfWhatIsNotSimulated(const Joint& joint, Diagnostics& diagnostics) {
   const std::string label = "joint '" + joint.urdf->name + "'";
-  if (joint.urdf->mimic != nullptr) {
-    diagnostics.warning(positionIn(*joint.xml, "mimic"),
-                        label + " mimics joint '" + joint.urdf->mimic->joint_name + "', which is not simulated yet",
-                        "it moves independently, as in Fortress");
-  }
   if (joint.urdf->type == ::urdf::Joint::PLANAR) {
     diagnostics.warning(joint.xml->position, label + " is planar, which is not simulated: its child moves freely");
   }

@@ -62,10 +62,14 @@ TEST(JointElements, LeaveALinkFreeThatFloats) {
             Messages{"r.urdf:4:1: warning: joint 'j' is planar, which is not simulated: its child moves freely"});
 }
 
-TEST(JointElements, SayThatTheyDoNotMimic) {
-  EXPECT_EQ(joint("continuous", "<mimic joint='other' multiplier='2'/>").messages,
-            Messages{"r.urdf:4:70: warning: joint 'j' mimics joint 'other', which is not simulated yet | it moves "
-                     "independently, as in Fortress"});
+TEST(JointElements, MimicAnother) {
+  const Converted converted = joint("continuous", "<mimic joint='other' multiplier='2' offset='0.5'/>");
+  EXPECT_EQ(converted.messages, Messages());
+  const Element* mimic = converted.model().child("joint")->child("axis")->child("mimic");
+  ASSERT_NE(mimic, nullptr);
+  EXPECT_EQ(mimic->attributeOr("joint", ""), "other");
+  EXPECT_EQ(textAt(*mimic, "multiplier"), "2");
+  EXPECT_EQ(textAt(*mimic, "offset"), "0.5");
 }
 
 TEST(JointElements, KeepFixedJointsInTwoWays) {

@@ -15,14 +15,8 @@ namespace pongsim::physics {
 
 PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& manifold) {
   PointFriction found;
-  point.m_contactPointFlags &= ~BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
   if (const std::optional<PointSurface> surface = pointSurface(manifold, point)) {
     point.m_combinedRestitution = restitutionAt(manifold, point, *surface);
-    if (surface->isSoft) {
-      point.m_contactPointFlags |= BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
-      point.m_combinedContactStiffness1 = surface->stiffness;
-      point.m_combinedContactDamping1 = surface->damping;
-    }
     found.torsion = surface->torsion;
     found.torsionSlip = surface->torsionSlip;
   }
@@ -63,10 +57,6 @@ void SolverContact::chooseDirections(const btVector3& velocity) const {
   } else {
     btPlaneSpace1(normal, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
   }
-}
-
-bool SolverContact::isSoft() const {
-  return (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
 }
 
 }  // namespace pongsim::physics

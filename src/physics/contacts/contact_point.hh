@@ -23,8 +23,8 @@ struct PointFriction {
   double torsionSlip = 0;
 };
 
-/// Writes the surfaces' properties into a contact point: restitution, stiffness and damping with their flag, and for
-/// directed friction the coefficient, directions and velocities.
+/// Writes the surfaces' properties into a contact point: restitution, and for directed friction the coefficient,
+/// directions and velocities.
 PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& manifold);
 
 /// A contact point as the solvers need it.
@@ -35,8 +35,6 @@ struct SolverContact {
   /// Sets both friction directions of a point without directed friction: along the sliding, if there is any.
   /// @param velocity Of the first body relative to the second, at the point.
   void chooseDirections(const btVector3& velocity) const;
-  /// @return Whether the contact is a spring and damper.
-  bool isSoft() const;
 
   btManifoldPoint& point;
   const btRigidBody& a;

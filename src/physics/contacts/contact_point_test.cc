@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "physics/hulls/hull_store.hh"
@@ -43,11 +44,9 @@ class ContactPoint : public testing::Test {
 };
 
 TEST_F(ContactPoint, IsOrdinaryWhereTheSurfacesSayNothing) {
-  point_.m_contactPointFlags = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
   const PointFriction found = settle();
   EXPECT_FALSE(found.isDirected);
   EXPECT_EQ(found.torsion, 0);
-  EXPECT_EQ(point_.m_contactPointFlags, 0) << "flags of the step before are cleared";
 }
 
 TEST_F(ContactPoint, TakesDirectionsSlipsAndTheSmallerCoefficients) {
@@ -66,19 +65,22 @@ TEST_F(ContactPoint, TakesDirectionsSlipsAndTheSmallerCoefficients) {
   EXPECT_FALSE(has(BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED));
 }
 
-TEST_F(ContactPoint, TakesSpringsAndTorsion) {
-  surface().stiffness = 1000;
-  surface().damping = 5;
+TEST_F(ContactPoint, TakesTorsionOfAPatchOfGivenRadius) {
   for (description::Link* link : {&box_, &slab_}) {
     link->collisions[0].surface.torsion.coefficient = 1;
     link->collisions[0].surface.torsion.patchRadius = 0.1;
   }
   const PointFriction found = settle();
-  EXPECT_TRUE(has(BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING));
-  EXPECT_EQ(point_.m_combinedContactStiffness1, 1000);
-  EXPECT_EQ(point_.m_combinedContactDamping1, 5);
   EXPECT_DOUBLE_EQ(found.torsion, 3 * std::numbers::pi / 16 * 0.1);
   EXPECT_FALSE(found.isDirected);
+}
+
+TEST_F(ContactPoint, TakesTorsionOfThePatchOfRadiusAndDepth) {
+  box_.collisions[0].surface.torsion = {1, 0, 0.3, false, 0};
+  slab_.collisions[0].surface.torsion = {1, 0, 0.6, true, 0};
+  point_.setDistance(-0.001);
+  // the curvatures add up: 1 / 0.3 + 1 / 0.6 = 1 / 0.2
+  EXPECT_DOUBLE_EQ(settle().torsion, 3 * std::numbers::pi / 16 * std::sqrt(0.2 * 0.001));
 }
 
 }  // namespace

@@ -123,14 +123,6 @@ std::optional<PointSurface> pointSurface(const btPersistentManifold& manifold, c
     constexpr double kNone = std::numeric_limits<double>::infinity();
     result.bounceThreshold = std::min(one.bounceThreshold.value_or(kNone), other.bounceThreshold.value_or(kNone));
   }
-  double give = 0;
-  for (const description::Surface* surface : {&one, &other}) {
-    if (!surface->stiffness) continue;
-    result.isSoft = true;
-    give += 1 / *surface->stiffness;
-    result.damping += surface->damping;
-  }
-  if (result.isSoft) result.stiffness = 1 / give;
   result.torsion = torsionOf(one.torsion, other.torsion, -point.getDistance());
   result.torsionSlip = one.torsion.slip + other.torsion.slip;
   return result;

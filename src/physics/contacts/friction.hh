@@ -38,10 +38,6 @@ struct PointSurface {
   double restitution = 0;
   /// [m/s]: the smaller one of those that are given.
   double bounceThreshold = 0;
-  /// Whether either is not rigid; [N/m] of both in series, [N s/m] of both together, of those that are not.
-  bool isSoft = false;
-  double stiffness = 0;
-  double damping = 0;
   /// Torque that friction has against turning about the normal, by each newton that presses there [m], and how fast it
   /// turns by each newton metre all the same [rad/s/(N m)].
   double torsion = 0;

@@ -190,22 +190,6 @@ TEST(Surface, ResistsTurningAboutTheNormalByTheSizeOfThePatch) {
   EXPECT_NEAR(free.link("ball::link").w_WorldLink.z(), 20, 1e-6);
 }
 
-TEST(Surface, MakesThePatchOfRadiusAndDepth) {
-  description::Surface ball, floor;
-  ball.torsion = {1, 0, 0.3, false, 0};
-  floor.torsion = {1, 0, 0.6, true, 0};
-  ball.stiffness = 1e5;
-  ball.damping = 200;
-  Rig rig = ballOnFloor(ball, floor);
-  rig.step(500);
-  rig.engine.setLinkVelocity(1, {0, 0, 0}, {0, 0, 20});
-  rig.step(100);
-  // the curvatures add up: 1 / 0.3 + 1 / 0.6 = 1 / 0.2
-  const double patch = std::sqrt(0.2 * 2 * kSurfaceGravity / 1e5);
-  const double slowing = 3 * M_PI / 16 * patch * 2 * kSurfaceGravity / 0.008;
-  EXPECT_NEAR(20 - rig.link("ball::link").w_WorldLink.z(), 0.1 * slowing, 0.002 * slowing);
-}
-
 TEST(Surface, TurnsOnBySlip) {
   description::Surface ball;
   ball.torsion = {1, 0.1, 0, true, 4};
@@ -216,50 +200,6 @@ TEST(Surface, TurnsOnBySlip) {
     rig.step();
   }
   EXPECT_NEAR(rig.link("ball::link").w_WorldLink.z(), 4 * 0.5, 1e-3);
-}
-
-TEST(Surface, GivesWayAsItsStiffnessSays) {
-  description::Surface ball, floor;
-  ball.stiffness = 2e4;
-  ball.damping = 50;
-  for (const Solver solver : {Solver::kDirect, Solver::kGaussSeidel}) {
-    Rig one = ballOnFloor(ball, floor, solver);
-    one.step(2000);
-    const double depth = 2 * kSurfaceGravity / 2e4;
-    EXPECT_NEAR(0.1 - one.link("ball::link").X_WorldLink.position.z(), depth, 1e-3 * depth);
-  }
-  // two in series
-  floor.stiffness = 1e4;
-  Rig two = ballOnFloor(ball, floor);
-  two.step(2000);
-  const double depth = 2 * kSurfaceGravity * (1 / 2e4 + 1 / 1e4);
-  EXPECT_NEAR(0.1 - two.link("ball::link").X_WorldLink.position.z(), depth, 1e-3 * depth);
-}
-
-TEST(Surface, SwingsOnASoftFloorWithThePeriodOfASpring) {
-  description::Surface ball;
-  ball.stiffness = 2000;
-  ball.damping = 2;
-  Rig rig = ballOnFloor(ball, {});
-  // about where it will rest, never leaving the floor
-  const double depth = 2 * kSurfaceGravity / 2000;
-  int turns = 0;
-  int last = 0;
-  int first = 0;
-  double before = 0;
-  for (int i = 1; turns < 6 && i < 5000; ++i) {
-    rig.step();
-    const double height = rig.link("ball::link").X_WorldLink.position.z() - 0.1 + depth;
-    if (before < 0 && height >= 0) {
-      if (turns == 0) first = i;
-      ++turns;
-      last = i;
-    }
-    before = height;
-  }
-  ASSERT_EQ(turns, 6);
-  const double period = 2 * M_PI * std::sqrt(2 / 2000.0);
-  EXPECT_NEAR((last - first) * 1e-3 / 5, period, 0.01 * period);
 }
 
 TEST(Surface, BouncesFromItsThresholdOn) {

@@ -79,9 +79,8 @@ struct AddTo {
 
 std::uint64_t hashOf(const description::Surface& surface) {
   base::Hash hash;
-  for (const double value :
-       {surface.mu, surface.mu2, surface.slip1, surface.slip2, surface.restitution, surface.stiffness.value_or(0),
-        surface.damping, surface.torsion.coefficient, surface.torsion.patchRadius, surface.torsion.surfaceRadius}) {
+  for (const double value : {surface.mu, surface.mu2, surface.slip1, surface.slip2, surface.restitution,
+                             surface.torsion.coefficient, surface.torsion.patchRadius, surface.torsion.surfaceRadius}) {
     hash.add(value);
   }
   hash.add(std::uint64_t{surface.collideBitmask});

@@ -82,10 +82,10 @@ void GaussSeidel::addJoint(Joint& joint) {
       velocity += third.angular.jacobian.dot(reference->getAngularVelocity() + bodies_[third.body].torqueChange);
       thirdBodies_.push_back(third);
     }
-    row.effectiveMass = std::abs(inverseMass) > kLeastInverseMass ? 1 / inverseMass : 0;
+    row.effectiveMass = std::abs(inverseMass) > kLeastInverseMass ? 1 / (inverseMass + content.compliance) : 0;
     row.rhs = content.bias * row.effectiveMass + -velocity * row.effectiveMass;
     // only of the first row, as in Bullet
-    row.cfm = &content == rows.data() ? settings_.cfm : 0;
+    row.cfm = (&content == rows.data() ? settings_.cfm : 0) + content.compliance * row.effectiveMass;
     row.lowest = content.lowest;
     row.highest = content.highest;
     jointRows_.push_back(row);
@@ -127,14 +127,7 @@ void GaussSeidel::addContact(const SolverContact& contact) {
   btManifoldPoint& point = contact.point;
   const btVector3& normal = point.m_normalWorldOnB;
   const double rate = 1 / dt_;
-  double cfm = settings_.cfm, erp = settings_.contactErp;
-  if (contact.isSoft()) {
-    const double sum =
-        std::max(dt_ * point.m_combinedContactStiffness1 + point.m_combinedContactDamping1, SIMD_EPSILON);
-    cfm = 1 / sum;
-    erp = dt_ * point.m_combinedContactStiffness1 / sum;
-  }
-  cfm *= rate;
+  const double cfm = settings_.cfm * rate;
   Row row = makeRow(contact, normal, cfm);
 
   const double velocity =
@@ -145,13 +138,12 @@ void GaussSeidel::addContact(const SolverContact& contact) {
   if (distance > 0) {
     bias -= distance * rate;
   } else {
-    depthRate = -distance * erp * rate;
+    depthRate = -distance * settings_.contactErp * rate;
   }
   row.rhs = bias * row.effectiveMass;
   row.rhs += row.effectiveMass * bounceChange(point, contact.a, contact.b, dt_);
-  // deep overlap comes from placing, not from motion, so a rigid contact pushes out at a limited speed
-  const double fastest = contact.isSoft() ? kInfinity : kMaxPushAcceleration * dt_ * row.effectiveMass;
-  row.rhs += std::min(depthRate * row.effectiveMass, fastest);
+  // deep overlap comes from placing, not from motion, so it is pushed out at a limited speed
+  row.rhs += std::min(depthRate, kMaxPushAcceleration * dt_) * row.effectiveMass;
   row.cfm = cfm * row.effectiveMass;
   row.impulse = point.m_appliedImpulse * kWarmStart;
   apply(row, row.impulse);

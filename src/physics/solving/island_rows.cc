@@ -183,6 +183,7 @@ void IslandRows::addJoint(Joint& joint) {
   for (const JointRow& each : content) {
     Row& row = rows_.emplace_back(Row{each.bias, 0, each.lowest, each.highest});
     row.isEquation = std::isinf(each.lowest) && std::isinf(each.highest);
+    row.compliance = each.compliance;
     if (joint.isMeasured()) measured_.push_back({&joint, each, rows_.size() - 1});
     if (!isTree_ || !row.isEquation) row.rhs -= addJointEnds(joint, each);
   }
@@ -191,7 +192,7 @@ void IslandRows::addJoint(Joint& joint) {
 
 /// Adds the equations among the rows of a joint as blocks.
 void IslandRows::addBlocks(const Joint& joint, std::span<const JointRow> content, std::span<Row> rows) {
-  static_assert(Joint::kMostRows <= BlockRows::kMostRows);
+  static_assert(Joint::kMostEquations <= BlockRows::kMostRows);
   const int number = static_cast<int>(equations_.size());
   int& equations = equations_.emplace_back(0);
   const std::array<const btRigidBody*, kMostJointBodies> bodies = bodiesOf(joint);
@@ -260,18 +261,9 @@ void IslandRows::addContact(const SolverContact& contact) {
   const double distance = point.getDistance();
   if (distance > 0) row.rhs -= distance / dt_;
   const double depth = std::max(0.0, -distance);
-  if (contact.isSoft()) {
-    // implicit spring and damper: erp = dt k / (dt k + d), compliance = 1 / (dt (dt k + d)) (E. Catto, Soft
-    // constraints, GDC 2011)
-    const double stiffness = dt_ * point.m_combinedContactStiffness1;
-    const double sum = std::max(stiffness + point.m_combinedContactDamping1, SIMD_EPSILON);
-    row.rhs += depth * (stiffness / sum) / dt_;
-    row.compliance = 1 / sum / dt_;
-  } else {
-    // deep overlap comes from placing, not from motion, so it is pushed out at a limited speed
-    row.pushRhs = std::min(depth * settings_.contactErp / dt_, kMaxPushAcceleration * dt_);
-    row.isRigidContact = true;
-  }
+  // deep overlap comes from placing, not from motion, so it is pushed out at a limited speed
+  row.pushRhs = std::min(depth * settings_.contactErp / dt_, kMaxPushAcceleration * dt_);
+  row.isContact = true;
 }
 
 // slip is a velocity proportional to the force: a compliance of slip / dt
@@ -329,7 +321,7 @@ void IslandRows::regularize(Row& row, double& diagonal) const {
   assert(diagonal >= 0);
   if (diagonal <= kSmallestInverseMass) row.rhs = row.pushRhs = 0;
   diagonal += settings_.cfm / dt_ + row.compliance;
-  if (row.isRigidContact) diagonal *= 1 + kContactCompliance;
+  if (row.isContact) diagonal *= 1 + kContactCompliance;
 }
 
 void IslandRows::listBoundedEnds(std::span<const int> numbers, std::vector<BlockMatrix::BoundedEnd>& list) const {

@@ -41,8 +41,8 @@ class IslandRows {
     double compliance = 0;
     /// For a row of friction, the contact's row along the normal; else -1.
     int normal = -1;
-    /// A contact along the normal without a spring of its own.
-    bool isRigidContact = false;
+    /// A contact along the normal.
+    bool isContact = false;
     /// A row of a joint without bounds; in a tree also its joint and its number among the joint's equations.
     bool isEquation = false;
     int joint = -1;

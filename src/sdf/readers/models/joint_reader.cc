@@ -84,6 +84,19 @@ void readLimits(const Element& element, const std::string& label, JointType type
   }
 }
 
+description::Mimic readMimic(const Element& element, const std::string& label, Context& context) {
+  description::Mimic mimic{element.attributeOr("joint", ""), element.position};
+  if (mimic.joint.empty()) {
+    context.diagnostics.warning(element.position, "the <mimic> of " + label + " has no joint",
+                                "write <mimic joint=\"...\">");
+  }
+  mimic.axis = element.attributeOr("axis", "axis") == "axis2" ? 1 : 0;
+  mimic.multiplier = readNumber(element, "multiplier", mimic.multiplier, context);
+  mimic.offset = readNumber(element, "offset", mimic.offset, context);
+  mimic.reference = readNumber(element, "reference", mimic.reference, context);
+  return mimic;
+}
+
 JointAxis readAxis(const Element& element, const std::string& label, JointType type, Context& context) {
   JointAxis axis;
   axis.xyz = readVector(element, "xyz", axis.xyz, context);
@@ -106,6 +119,7 @@ JointAxis readAxis(const Element& element, const std::string& label, JointType t
     }
     axis.springStiffness = readNumber(*dynamics, "spring_stiffness", axis.springStiffness, context);
   }
+  if (const Element* mimic = element.child("mimic")) axis.mimic = readMimic(*mimic, label, context);
   return axis;
 }
 
@@ -288,6 +302,26 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
     joint.sensors.push_back(finishSensor(std::move(sensor), scope, X_ScopeJoint, context));
   }
   return joint;
+}
+
+void checkMimics(std::vector<description::Joint>& joints, Context& context) {
+  std::vector<std::string_view> names;
+  for (const description::Joint& joint : joints) names.push_back(joint.name);
+  for (description::Joint& joint : joints) {
+    for (JointAxis& axis : joint.axes) {
+      if (!axis.mimic || axis.mimic->joint.empty()) continue;
+      const description::Mimic& mimic = *axis.mimic;
+      const auto leader = std::ranges::find(joints, mimic.joint, &description::Joint::name);
+      if (leader != joints.end() && leader->name != joint.name && mimic.axis < leader->axes.size()) continue;
+      const std::string what = leader == joints.end()       ? "which is not a joint of its model"
+                               : leader->name == joint.name ? "which is itself"
+                                                            : "which has no such axis";
+      context.diagnostics.warning(mimic.position,
+                                  labelOf(joint) + " mimics '" + mimic.joint + "', " + what + ": it moves freely",
+                                  leader == joints.end() ? base::didYouMean(mimic.joint, names) : "");
+      axis.mimic.reset();
+    }
+  }
 }
 
 }  // namespace pongsim::sdf

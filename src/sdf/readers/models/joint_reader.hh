@@ -41,4 +41,7 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
 std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t frameIndex,
                                               Context& context);
 
+/// Removes the `<mimic>` of axes that follow none of the model's axes, with a warning each.
+void checkMimics(std::vector<description::Joint>& joints, Context& context);
+
 }  // namespace pongsim::sdf

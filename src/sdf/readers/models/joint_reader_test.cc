@@ -240,5 +240,34 @@ TEST(Joint, ToTheWorldKnowsItsPlaceInTheWorld) {
   expectPose(joint.X_ChildJoint, {0, 0, 0});
 }
 
+TEST(Joint, MayMimicAnother) {
+  const auto load = [](const std::string& mimic) {
+    return loadModel(
+        "<link name='a'/><link name='b'/><link name='c'/>"
+        "<joint name='j' type='revolute'><parent>a</parent><child>b</child><axis/></joint>"
+        "<joint name='k' type='prismatic'><parent>a</parent><child>c</child><axis>" +
+        mimic + "</axis></joint>");
+  };
+  const Loaded loaded =
+      load("<mimic joint='j'><multiplier>2</multiplier><offset>3</offset><reference>4</reference></mimic>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const std::optional<description::Mimic>& mimic = loaded.model().joints.at(1).axes.at(0).mimic;
+  ASSERT_TRUE(mimic);
+  EXPECT_EQ(mimic->joint, "j");
+  EXPECT_EQ(mimic->axis, 0U);
+  EXPECT_EQ(mimic->multiplier, 2);
+  EXPECT_EQ(mimic->offset, 3);
+  EXPECT_EQ(mimic->reference, 4);
+  for (const auto& [element, why] :
+       {std::pair("<mimic joint='jj'/>", "mimics 'jj', which is not a joint of its model: it moves freely | did you"),
+        {"<mimic joint='k'/>", "mimics 'k', which is itself"},
+        {"<mimic joint='j' axis='axis2'/>", "mimics 'j', which has no such axis"}}) {
+    const Loaded wrong = load(element);
+    ASSERT_EQ(wrong.messages.size(), 1U);
+    EXPECT_NE(wrong.messages[0].find(why), std::string::npos) << wrong.messages[0];
+    EXPECT_FALSE(wrong.model().joints.at(1).axes.at(0).mimic);
+  }
+}
+
 }  // namespace
 }  // namespace pongsim::sdf::test

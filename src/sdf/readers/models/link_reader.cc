@@ -39,20 +39,6 @@ description::Torsion readTorsion(const Element& element, Context& context) {
   return torsion;
 }
 
-// the format's default, 1e12 N/m, and larger values mean "rigid"
-void readStiffness(const Element& ode, description::Surface& surface, Context& context) {
-  constexpr double kRigid = 1e12;
-  const double stiffness = readNotNegative(ode, "kp", kRigid, context);
-  surface.damping = readNotNegative(ode, "kd", surface.damping, context);
-  if (stiffness >= kRigid) return;
-  if (stiffness > 0) {
-    surface.stiffness = stiffness;
-  } else {
-    context.diagnostics.error(ode.position, "a surface has a <kp> of 0",
-                              "kp is the stiffness in N/m; leave it out for a rigid surface");
-  }
-}
-
 /// @return The attribute that names the link in whose frame a friction direction is given, or null.
 const Element::Attribute* frameOfDirection(const Element& direction) {
   const Element::Attribute* frame = direction.attribute("ignition:expressed_in");
@@ -78,7 +64,6 @@ description::Surface readSurface(const Element& collision, Context& context) {
     surface.torsion = readTorsion(*torsional, context);
   }
   if (const Element* contact = element->child("contact")) {
-    if (const Element* ode = contact->child("ode")) readStiffness(*ode, surface, context);
     surface.collideBitmask = readMask(*contact, "collide_bitmask", surface.collideBitmask, context);
   }
   if (const Element* bounce = element->child("bounce")) {

@@ -68,25 +68,23 @@ TEST(Link, ReadsWhatASurfaceDoesBesideRubbing) {
   const Loaded loaded = loadLink(
       "<collision name='c'><geometry><box/></geometry><max_contacts>3</max_contacts><surface><friction><torsional>"
       "<coefficient>0.5</coefficient><patch_radius>0.25</patch_radius><surface_radius>2</surface_radius>"
-      "<use_patch_radius>false</use_patch_radius><ode><slip>0.125</slip></ode></torsional></friction><contact><ode>"
-      "<kp>1e5</kp><kd>20</kd></ode></contact><bounce><threshold>0.5</threshold></bounce></surface></collision>"
-      "<collision name='d'><geometry><box/></geometry><surface><contact><ode><kp>1e12</kp></ode></contact></surface>"
-      "</collision>");
+      "<use_patch_radius>false</use_patch_radius><ode><slip>0.125</slip></ode></torsional></"
+      "friction><bounce><threshold>0.5</threshold></bounce></surface></collision>");
   EXPECT_EQ(loaded.messages, Messages());
   const std::vector<description::Collision>& collisions = loaded.model().links.at(0).collisions;
   const description::Surface& surface = collisions.at(0).surface;
   EXPECT_EQ(surface.torsion, (description::Torsion{0.5, 0.25, 2, false, 0.125}));
-  EXPECT_EQ(surface.stiffness, 1e5);
-  EXPECT_EQ(surface.damping, 20);
   EXPECT_EQ(surface.bounceThreshold, 0.5);
   EXPECT_EQ(surface.maxContacts, 3);
-  // the format's defaults are those of a rigid surface
-  EXPECT_EQ(collisions.at(1).surface, description::Surface());
-  EXPECT_EQ(loadLink("<collision name='c'><geometry><box/></geometry><surface><contact><ode><kp>0</kp></ode></contact>"
-                     "</surface></collision>")
-                .messages,
-            Messages{"t.sdf:4:66: error: a surface has a <kp> of 0 | kp is the stiffness in N/m; leave it out for a "
-                     "rigid surface"});
+}
+
+// as in Fortress, whose engine ignores the stiffness
+TEST(Link, HasARigidSurfaceWhateverItsStiffness) {
+  const Loaded loaded = loadLink(
+      "<collision name='c'><geometry><box/></geometry><surface><contact><ode><kp>0</kp><kd>20</kd><max_vel>1</max_vel>"
+      "<min_depth>0.001</min_depth></ode></contact></surface></collision>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(loaded.model().links.at(0).collisions.at(0).surface, description::Surface());
 }
 
 TEST(Link, MeasuresItsPartsInItselfOrInAnotherFrame) {

@@ -197,6 +197,7 @@ std::vector<description::Joint> PartsReader::takeJoints() {
     std::optional<description::Joint> joint = finishJoint(std::move(draft), scope_, frameIndex, *context);
     if (joint) joints.push_back(std::move(*joint));
   }
+  checkMimics(joints, context_);
   return joints;
 }
 
