@@ -153,6 +153,9 @@ class PONGSIM_API Declaration {
   /// `publishes`.
   void measures(SensorReadings readings) { readings_.push_back(std::move(readings)); }
 
+  /// Says that the system reads sensors of a type itself: then there is no warning that nothing simulates them.
+  void reads(std::string sensorType) { readTypes_.push_back(std::move(sensorType)); }
+
   const std::string& text() const { return text_; }
   Place place() const { return place_; }
   const std::deque<Parameter>& parameters() const { return parameters_; }
@@ -160,6 +163,7 @@ class PONGSIM_API Declaration {
   bool hasFiles() const { return usesFiles_; }
   const std::vector<Endpoint>& endpoints() const { return endpoints_; }
   const std::vector<SensorReadings>& readings() const { return readings_; }
+  const std::vector<std::string>& readTypes() const { return readTypes_; }
 
   /// Reads all parameters and warns about unknown elements.
   /// @param system The system's name, for messages.
@@ -177,6 +181,7 @@ class PONGSIM_API Declaration {
   std::deque<Parameter> parameters_;
   std::vector<Endpoint> endpoints_;
   std::vector<SensorReadings> readings_;
+  std::vector<std::string> readTypes_;
 };
 
 }  // namespace pongsim

@@ -47,6 +47,7 @@ description::Plugin sensorPlugin(std::string_view sensorType) {
 
 void SensorCheck::add(const Declaration& system) {
   for (const SensorReadings& readings : system.readings()) simulated_.insert(readings.sensorType);
+  simulated_.insert(system.readTypes().begin(), system.readTypes().end());
 }
 
 void SensorCheck::add(const description::Sensor& sensor) { sensors_.push_back(&sensor); }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "integration/program.hh"
 #include "support/regex.hh"
@@ -46,9 +47,22 @@ TEST(BadWorld, HasAJointToALinkThatIsNotThere) {
 }
 
 TEST(BadWorld, AsksForAPluginThatIsNotThere) {
-  expectRefused(
-      "<sdf version='1.9'><world name='w'>\n<plugin filename='libno-such-thing.so' name='none::Such'/>\n</world></sdf>",
-      ":2:\\d+: error: .*no-such-thing");
+  const TempFolder folder;
+  const std::string file =
+      folder
+          .write("world.sdf",
+                 "<sdf version='1.9'><world name='w'>\n<plugin filename='libno-such-thing.so' name='none::Such'/>\n"
+                 "<plugin filename='ignition-gazebo-physics-system' name=''/></world></sdf>")
+          .string();
+  const Outcome lenient = runToEnd({"run", file, "--iterations", "1"});
+  EXPECT_EQ(lenient.exitCode, 0) << lenient.error;
+  EXPECT_TRUE(Regex("world\\.sdf:2:\\d+: warning: .*no-such-thing").isIn(lenient.error)) << lenient.error;
+  for (const std::vector<std::string>& strict :
+       {std::vector<std::string>{"run", "--strict", file}, {"sdf", "--check", "--strict", file}}) {
+    const Outcome outcome = runToEnd(strict);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.error;
+    EXPECT_TRUE(Regex("world\\.sdf:2:\\d+: error: .*no-such-thing").isIn(outcome.error)) << outcome.error;
+  }
 }
 
 TEST(BadWorld, IsNoTextAtAll) {

@@ -26,9 +26,9 @@ class Settings(unittest.TestCase):
             with running(PONGSIM, "run", file) as simulation:
                 self.peer("listen", *CLOCK).wait_for("heard")
                 self.assertNotIn("warning", simulation.output())
-            # a misspelt address is an error, not a run without it
+            # a misspelt name is a warning, which --strict makes an error
             file.write_text(WORLD.read_text().replace("</world>", PLUGIN.replace("ign-system", "ing-system") + "</world>"))
-            wrong = ended(PONGSIM, "run", file, "--iterations", "1")
+            wrong = ended(PONGSIM, "run", file, "--strict", "--iterations", "1")
             self.assertEqual(wrong.returncode, 1, wrong.stderr)
             self.assertIn("pongsim-ing-system", wrong.stderr)
 

@@ -31,7 +31,8 @@ std::string wheel(const std::string& name, const std::string& side) {
 /// A vehicle with two wheels, a sensor and a drive.
 std::string vehicle(const std::string& name, const std::string& drive = "") {
   return "<model name='" + name +
-         "'><link name='chassis'><sensor name='imu' type='imu'><pose>0 0 0.3 0 0 0</pose></sensor></link>" +
+         "'><link name='chassis'><sensor name='imu' type='imu'><pose>0 0 0.3 0 0 0</pose></sensor></link>"
+         "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/>" +
          wheel("left", "0.3") + wheel("right", "-0.3") +
          "<plugin filename='ignition-gazebo-diff-drive-system' name='ignition::gazebo::systems::DiffDrive'>"
          "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint><wheel_separation>0.6"

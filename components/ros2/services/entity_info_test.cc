@@ -19,7 +19,8 @@ class EntityInfoTest : public testing::Test {
       "<model name='stone'><link name='l'/></model>"
       "<model name='arm'><link name='l'/><link name='m'/><joint name='j' type='revolute'><parent>l</parent>"
       "<child>m</child><axis><xyz>0 0 1</xyz></axis></joint></model>"
-      "<model name='eye'><model name='in'><link name='l'><sensor name='s' type='imu'/></link></model></model>"
+      "<model name='eye'><model name='in'><link name='l'><sensor name='s' type='imu'/></link></model>"
+      "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/></model>"
       "<model name='pair'><link name='l'/><link name='m'/><joint name='j' type='fixed'><parent>l</parent>"
       "<child>m</child></joint></model>")};
   EntityInfos infos_;

@@ -20,6 +20,7 @@ std::string worldWith(const std::string& parameters) {
       <collision name="skin"><pose>0 3 0 0 0 0</pose>
         <geometry><sphere><radius>0.01</radius></sphere></geometry></collision>
       <sensor name="feel" type="imu"><pose>0 4 0 0 0 0</pose></sensor></link>
+    <plugin filename="ignition-gazebo-imu-system" name="ignition::gazebo::systems::Imu"/>
     <link name="arm"><pose>5 0 0 0 0 0</pose><inertial><mass>1</mass></inertial></link>
     <link name="bolt"><inertial><mass>1</mass></inertial></link>
     <joint name="hinge" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 1 0</xyz></axis></joint>

@@ -46,6 +46,7 @@ class TouchPlugin : public System {
     declaration.parameter("time", &seconds_, "s", "how long the contact must last").required().atLeast(0);
     declaration.parameter("namespace", &space_, "", "prefix of topic and service").required();
     declaration.parameter("enabled", &startsEnabled_, "", "whether it is initially enabled");
+    declaration.reads("contact");
     declaration.publishes("/NAMESPACE/touched", "ignition.msgs.Boolean", "`true`; the plugin is then disabled");
     declaration.serves("/NAMESPACE/enable", "ignition.msgs.Boolean", "ignition.msgs.Empty", "enables or disables it");
   }

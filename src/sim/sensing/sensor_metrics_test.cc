@@ -22,7 +22,7 @@ class SensorMetricsTest : public testing::Test {
     simulation_ = Simulation::fromText(
         "<sdf version='1.9'><world name='w'><model name='m'><link name='l'><sensor name='s' type='" + type +
             "'><camera/></sensor></link></model></world></sdf>",
-        "world.sdf", {}, diagnostics);
+        "world.sdf", {.loadSystems = false}, diagnostics);
     Node node = simulation_->transport().node();
     metrics_ = std::make_unique<SensorMetrics>(simulation_->world().sensors(type).at(0), "/t", node);
     EXPECT_FALSE(metrics_->hasSubscribers());
