@@ -14,6 +14,7 @@
 #include "base/prefetch.hh"
 #include "plugin/sensor_plugins.hh"
 #include "plugin/system_name.hh"
+#include "sim/plugin_elements.hh"
 
 namespace pongsim::sim {
 
@@ -25,15 +26,6 @@ constexpr std::string_view kUserCommands = "user-commands";
 /// Number of the first system of the world that a model or an actor has brought, behind those of the world itself.
 constexpr std::size_t kBrought = 1'000'000;
 
-/// Fortress's servers add this where a world lists no system of its own.
-description::Plugin defaultSceneBroadcaster() {
-  description::Plugin plugin;
-  plugin.filename = "ignition-gazebo-scene-broadcaster-system";
-  plugin.className = "ignition::gazebo::systems::SceneBroadcaster";
-  plugin.sdf.name = "plugin";
-  return plugin;
-}
-
 /// @return " (world.sdf:41:9)", or nothing where no file has it.
 std::string inBrackets(const SourcePosition& position) {
   if (!position.file || position.line <= 0) return {};
@@ -43,41 +35,6 @@ std::string inBrackets(const SourcePosition& position) {
 bool environmentAllowsPaths() {
   const char* value = std::getenv("PONGSIM_ALLOW_PLUGIN_PATHS");
   return value != nullptr && std::string_view(value) == "1";
-}
-
-std::string attributeOf(const Element& element, const char* name) {
-  const Element::Attribute* attribute = element.attribute(name);
-  return attribute == nullptr ? std::string() : attribute->value;
-}
-
-std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
-  std::vector<description::Plugin> plugins;
-  for (const Element& each : elements)
-    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
-  return plugins;
-}
-
-/// @return The name of a class without its namespaces, of which a library's systems have several each.
-std::string_view plainName(std::string_view className) {
-  const std::size_t colon = className.rfind(':');
-  return colon == std::string_view::npos ? className : className.substr(colon + 1);
-}
-
-/// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
-description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
-  const auto same = std::ranges::find_if(more, [&](const description::Plugin& each) {
-    return plugin::systemName(each.filename) == plugin::systemName(plugin.filename) &&
-           plainName(each.className) == plainName(plugin.className);
-  });
-  if (same == more.end()) return plugin;
-  // of elements of one name the first counts
-  std::vector<Element>& children = plugin.sdf.children;
-  children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
-  for (const Element::Attribute& attribute : same->sdf.attributes) {
-    if (plugin.sdf.attribute(attribute.name) == nullptr) plugin.sdf.attributes.push_back(attribute);
-  }
-  more.erase(same);
-  return plugin;
 }
 
 /// @return Whether the system simulates all sensors of the world. A robot may bring it, since a URDF has no world.

@@ -1,0 +1,57 @@
+#include "sim/plugin_elements.hh"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "plugin/system_name.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+std::string attributeOf(const Element& element, const char* name) {
+  const Element::Attribute* attribute = element.attribute(name);
+  return attribute == nullptr ? std::string() : attribute->value;
+}
+
+/// @return The name of a class without its namespaces, of which a library's systems have several each.
+std::string_view plainName(std::string_view className) {
+  const std::size_t colon = className.rfind(':');
+  return colon == std::string_view::npos ? className : className.substr(colon + 1);
+}
+
+}  // namespace
+
+description::Plugin defaultSceneBroadcaster() {
+  description::Plugin plugin;
+  plugin.filename = "ignition-gazebo-scene-broadcaster-system";
+  plugin.className = "ignition::gazebo::systems::SceneBroadcaster";
+  plugin.sdf.name = "plugin";
+  return plugin;
+}
+
+std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
+  std::vector<description::Plugin> plugins;
+  for (const Element& each : elements)
+    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
+  return plugins;
+}
+
+description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
+  const auto same = std::ranges::find_if(more, [&](const description::Plugin& each) {
+    return plugin::systemName(each.filename) == plugin::systemName(plugin.filename) &&
+           plainName(each.className) == plainName(plugin.className);
+  });
+  if (same == more.end()) return plugin;
+  // of elements of one name the first counts
+  std::vector<Element>& children = plugin.sdf.children;
+  children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
+  for (const Element::Attribute& attribute : same->sdf.attributes) {
+    if (plugin.sdf.attribute(attribute.name) == nullptr) plugin.sdf.attributes.push_back(attribute);
+  }
+  more.erase(same);
+  return plugin;
+}
+
+}  // namespace pongsim::sim
