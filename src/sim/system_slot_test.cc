@@ -78,6 +78,7 @@ TEST_F(SystemSlotTest, CallsASystemThatBehaves) {
 class Writer : public System {
  public:
   void declare(Declaration& declaration) override { declaration.usesFiles(); }
+  void configure(const SystemContext&) override {}
 };
 
 TEST_F(SystemSlotTest, LeavesOutOneWithFilesIfItIsFromOutside) {
