@@ -51,7 +51,8 @@ class Search {
 
   std::optional<fs::path> in(const std::vector<fs::path>& places, const std::string& advice) {
     for (const fs::path& place : places) {
-      if (isThere(place) && (!mayRead_ || mayRead_(place))) return place;
+      const fs::path path = mayRead_ ? place.lexically_normal() : place;
+      if (isThere(path) && (!mayRead_ || mayRead_(path))) return path;
     }
     // the same whether it is there or not
     if (mayRead_) return fail("'" + uri_ + "' is not found", kReach);
@@ -137,9 +138,24 @@ std::optional<fs::path> Finder::operator()(std::string_view uri, const fs::path&
   return search.in(candidates(path, isModel ? nullptr : &folder, places_), advice);
 }
 
-Finder Finder::confinedTo(std::vector<fs::path> folders) const {
+namespace {
+
+/// @return Whether the path of a file says that it lies in a folder, without following links.
+bool isWrittenBelow(const fs::path& file, const fs::path& folder) {
+  // behind a link, ".." leads elsewhere than it is written
+  if (folder.empty() || std::ranges::find(file, fs::path("..")) != file.end()) return false;
+  std::error_code ignored;
+  const fs::path path = fs::absolute(file, ignored).lexically_normal();
+  // without a separator at its end, which would be an empty part
+  const fs::path above = (fs::absolute(folder, ignored) / "").lexically_normal().parent_path();
+  return std::ranges::mismatch(above, path).in1 == above.end();
+}
+
+}  // namespace
+
+Finder Finder::confinedTo(Reach reach) const {
   Finder confined = *this;
-  confined.reach_ = std::move(folders);
+  confined.reach_ = std::move(reach);
   return confined;
 }
 
@@ -153,8 +169,12 @@ bool Finder::isConfined(const fs::path& folder) const {
 bool Finder::mayRead(const fs::path& file, const fs::path& folder) const {
   if (!isConfined(folder)) return true;
   const auto holds = [&](const fs::path& each) { return base::isBelow(file, each); };
+  if (holds(places_.fuelCache)) return true;
   // folders that requests have added are places, but none of them widens what may be read
-  return holds(places_.fuelCache) || std::ranges::any_of(reach_ ? *reach_ : places_.folders, holds);
+  if (!reach_) return std::ranges::any_of(places_.folders, holds);
+  return holds(reach_->world) || std::ranges::any_of(reach_->folders, [&](const fs::path& each) {
+           return holds(each) || isWrittenBelow(file, each);
+         });
 }
 
 void Finder::bring(const std::vector<std::string>& addresses) const {

@@ -22,7 +22,7 @@ namespace pongsim::assets {
 /// world on a Fuel server, which is looked for in the local cache, and downloaded if the finder is allowed to.
 ///
 /// What comes from outside (models that a request inserts, files from a Fuel server) is confined: it finds only what
-/// lies in certain folders after following links, and is not told whether anything else exists.
+/// lies in certain folders, and is not told whether anything else exists.
 class Finder {
  public:
   /// Finds paths and files in the current folder only.
@@ -36,8 +36,17 @@ class Finder {
   std::optional<std::filesystem::path> operator()(std::string_view uri, const std::filesystem::path& folder,
                                                   const SourcePosition& position, Diagnostics& diagnostics) const;
 
-  /// @return This finder for models from outside: it finds only what lies in these folders and in the Fuel cache.
-  Finder confinedTo(std::vector<std::filesystem::path> folders) const;
+  /// Where models from outside may read, beside the Fuel cache.
+  struct Reach {
+    /// Folders that the user has set. What links in them lead to is allowed, too: only the user can have made them, as
+    /// `colcon build --symlink-install` does.
+    std::vector<std::filesystem::path> folders;
+    /// Folder of the world, which may be one where everybody can make links, such as /tmp: they are followed first.
+    std::filesystem::path world;
+  };
+
+  /// @return This finder for models from outside: it finds only what lies within reach and in the Fuel cache.
+  Finder confinedTo(Reach reach) const;
   /// @param folder Folder of a file.
   /// @return Whether what that file names is confined, and it may write nothing.
   bool isConfined(const std::filesystem::path& folder) const;
@@ -52,7 +61,7 @@ class Finder {
   Places places_;
   std::shared_ptr<FuelFetch> fetch_;
   /// Where it finds something if it is confined.
-  std::optional<std::vector<std::filesystem::path>> reach_;
+  std::optional<Reach> reach_;
   /// Of folders that were asked about.
   mutable std::map<std::filesystem::path, bool> areFromServer_;
 };

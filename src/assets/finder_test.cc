@@ -37,7 +37,7 @@ class ConfinedFinderTest : public testing::Test {
   std::string find(const std::string& uri, const fs::path& folder, bool isConfined = true) {
     Diagnostics diagnostics;
     Finder finder = finderIn({{models_.path()}, cache_.path()});
-    if (isConfined) finder = finder.confinedTo({world_.path(), models_.path()});
+    if (isConfined) finder = finder.confinedTo({{models_.path()}, world_.path()});
     const auto path = finder(uri, folder, {}, diagnostics);
     return path ? path->string() : diagnostics.all().at(0).message + " " + diagnostics.all().at(0).hint;
   }
@@ -63,17 +63,25 @@ TEST_F(ConfinedFinderTest, FindsWhatIsInReach) {
 TEST_F(ConfinedFinderTest, SaysTheSameOfAllElseWhetherItIsThereOrNot) {
   const fs::path secret = outside_.write("secret.stl", "");
   fs::create_symlink(secret, world_.path() / "file.stl");
-  fs::create_symlink(outside_.path(), models_.path() / "folder");
   fs::create_symlink(outside_.path(), cache_.path() / "folder");
   const std::string up = "model://../" + outside_.path().filename().string() + "/secret.stl";
   for (const std::string& uri :
-       {secret.string(), "file://" + secret.string(), up, std::string("model://folder/secret.stl"),
+       {secret.string(), "file://" + secret.string(), up,
         (cache_.path() / "folder/secret.stl").string(), std::string("/dev/null")}) {
     EXPECT_EQ(find(uri, {}), notFound(uri)) << uri;
   }
   EXPECT_EQ(find("file.stl", world_.path()), notFound("file.stl"));
   EXPECT_EQ(find("secret.stl", outside_.path()), notFound("secret.stl"));
   EXPECT_EQ(find(secret.string(), world_.path(), false), secret.string());
+}
+
+// as colcon makes them in its installations
+TEST_F(ConfinedFinderTest, FollowsLinksOfFoldersThatTheUserHasSet) {
+  outside_.write("mesh.stl", "");
+  fs::create_symlink(outside_.path(), models_.path() / "folder");
+  EXPECT_EQ(find("model://folder/mesh.stl", {}), (models_.path() / "folder/mesh.stl").string());
+  const std::string up = (models_.path() / "../none.stl").string();
+  EXPECT_EQ(find(up, {}), notFound(up));
 }
 
 TEST_F(ConfinedFinderTest, ConfinesWhatIsInTheFuelCache) {

@@ -83,13 +83,17 @@ class Writer : public System {
 
 TEST_F(SystemSlotTest, LeavesOutOneWithFilesIfItIsFromOutside) {
   for (const bool isFromOutside : {false, true}) {
+    auto writer = std::make_unique<Writer>();
+    Declaration declaration;
+    writer->declare(declaration);
     SystemSlot slot({ModelId(),
                      0,
                      "writer",
                      {},
                      transport_.node(),
                      Random(0, "writer"),
-                     std::make_unique<Writer>(),
+                     std::move(writer),
+                     std::move(declaration),
                      {},
                      {},
                      false,

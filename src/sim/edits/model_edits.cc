@@ -39,11 +39,11 @@ void addAll(const Diagnostics& found, Diagnostics& diagnostics) {
 }  // namespace
 
 ModelEdits::ModelEdits(Access& access, const assets::Places& places, const std::filesystem::path& worldFile)
-    : access_(access), places_(places), reach_(places.folders) {
-  reach_.insert(reach_.end(), places.installed.begin(), places.installed.end());
+    : access_(access), places_(places), reach_{places.folders, {}} {
+  reach_.folders.insert(reach_.folders.end(), places.installed.begin(), places.installed.end());
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(worldFile, ignored)) return;
-  reach_.push_back(std::filesystem::absolute(worldFile, ignored).parent_path());
+  reach_.world = std::filesystem::absolute(worldFile, ignored).parent_path();
 }
 
 assets::Finder ModelEdits::finder(bool isFromOutside) const {

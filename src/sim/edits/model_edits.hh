@@ -83,8 +83,7 @@ class ModelEdits {
 
   Access& access_;
   const assets::Places& places_;
-  /// Folders that models from outside may read, beside the Fuel cache.
-  std::vector<std::filesystem::path> reach_;
+  assets::Finder::Reach reach_;
   SystemSet* systems_ = nullptr;
 };
 
