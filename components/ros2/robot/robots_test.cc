@@ -177,8 +177,10 @@ TEST_F(RobotsTest, FollowTheJointsAtTheTimeOfTheStamp) {
 
 TEST_F(RobotsTest, HangOnTheWorldWhereTheyHaveNoOdometry) {
   run("<model name='drone'><pose>1 2 3 0 0 0</pose><link name='body'><sensor name='eye' type='camera'><camera/>"
-      "</sensor></link></model><model name='post'><static>true</static><pose>4 0 0 0 0 0</pose><link name='l'>"
-      "<sensor name='imu' type='imu'/></link></model>");
+      "</sensor></link><plugin filename='ignition-gazebo-sensors-system' name='ignition::gazebo::systems::Sensors'/>"
+      "</model><model name='post'><static>true</static><pose>4 0 0 0 0 0</pose><link name='l'>"
+      "<sensor name='imu' type='imu'/></link>"
+      "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/></model>");
   hearTransforms();
   ASSERT_TRUE(stepUntil([&] { return tree().hasFrames({"drone/body", "drone/body/eye", "post/l", "post/l/imu"}); }));
   const Tree found = tree();

@@ -92,8 +92,7 @@ class Security(unittest.TestCase):
             self.assertIn("data: true", result.stdout, result.stderr)
         with Connection(host, port) as client:
             self.assertEqual(client.open(), 101)
-            # the files are looked up for the first client
-            self.simulation.wait_for(f"clients don't get '{private}/box.obj' of an inserted model: .* PONGSIM_RESOURCE_PATH")
+            self.simulation.wait_for(f"mesh '{private}/box.obj' is not found: .*\n.*PONGSIM_RESOURCE_PATH")
             for file, status in ((private / "photo.png", 404), (private / "box.obj", 404), (models / "photo.png", 404),
                                  (models / "box.obj", 200)):
                 with Connection(host, port) as connection:
