@@ -6,10 +6,12 @@ namespace pongsim::transport {
 
 namespace {
 
-// Less than the period of announcements, and more than the time in which a crowd meets.
+// Minimum interval between two transmissions of one announcement to a port. It is shorter than the announcement period,
+// and longer than the time in which many participants that start together discover each other.
 constexpr std::chrono::seconds kOnce{1};
 
-// How long the list of open ports is used. It may be old: whoever opens a port announces itself.
+// Maximum age of the list of open ports. A participant that opens a port after that announces itself, so an old list
+// delays no discovery.
 constexpr std::chrono::milliseconds kLook{100};
 
 }  // namespace

@@ -11,30 +11,31 @@
 
 namespace pongsim::transport {
 
-/// Decides which discovery ports of this machine a participant's announcements go to.
+/// Filters a participant's SPDP announcements: decides for each discovery port of this machine whether one is sent.
 ///
-/// Fast DDS 2.9 announces a participant twice each time, and to all participants whenever it meets one. A hundred that
-/// start at once would send a million announcements, where ten thousand suffice. So a port gets the same announcement
-/// once per second at most, and again only when the participant there has just been met.
+/// Fast DDS 2.9 sends each announcement twice, and sends it to all participants whenever it discovers one. A hundred
+/// participants that start together would send a million announcements, where ten thousand suffice. So a port gets the
+/// same announcement (sequence number) at most once per second, and earlier only if its participant has just been
+/// discovered.
 ///
-/// Ports that are closed get nothing, because the kernel's answer that nobody listens costs more than the message.
-/// Whoever opens one later announces itself, and then has been met. Thread-safe.
+/// Closed ports get nothing: the kernel answers with an ICMP error, which costs more than the message. A participant
+/// that opens such a port later announces itself, which calls `met`. Thread-safe.
 class Announcements {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
-  /// @return The ports at which somebody may listen; nothing if the system does not report them.
+  /// @return The open discovery ports of this machine; nothing if the system does not report them.
   using Look = std::function<std::optional<std::vector<std::uint32_t>>()>;
 
   explicit Announcements(Look look) : look_(std::move(look)) {}
 
   /// @param sequence The announcement's sequence number.
-  /// @return Whether to send the announcement to this port; it then counts as sent.
+  /// @return Whether to send the announcement to this port; if so, it is recorded as sent.
   bool goesTo(std::uint32_t port, std::uint64_t sequence, TimePoint now);
 
-  /// Lets none go to this port, at which a participant of the same process listens.
+  /// Sends no more announcements to this port, which belongs to another participant of this process.
   void ignore(std::uint32_t port);
 
-  /// Lets a participant that has just been met have the next announcement.
+  /// Records that the participant at this port has just been discovered: the next announcement is sent to it.
   void met(std::uint32_t port);
 
  private:
@@ -48,7 +49,7 @@ class Announcements {
   Look look_;
   std::mutex mutex_;
   std::set<std::uint32_t> ignored_;
-  /// Without a time where somebody has been met since.
+  /// The last announcement sent to each port; empty if the port's participant has been discovered since.
   std::map<std::uint32_t, std::optional<Sent>> sent_;
   std::optional<TimePoint> looked_;
   std::optional<std::vector<std::uint32_t>> open_;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Announcements on a machine with some open ports, whose clock is told.
+/// Announcements on a machine with two open ports; the test sets the time.
 class AnnouncementsTest : public testing::Test {
  protected:
   bool goesTo(std::uint32_t port, std::uint64_t sequence = 1) { return announcements_.goesTo(port, sequence, now_); }

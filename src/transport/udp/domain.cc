@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kLastDomain = 232;
 
-// Enough participants for any one machine, and not so many that they run into the next domain's ports.
+// Number of discovery ports per domain: more than one machine runs, and few enough to stay below the ports of the next
+// domain (port gain DG = 250).
 constexpr std::uint32_t kParticipants = 115;
 
 }  // namespace

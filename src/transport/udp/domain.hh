@@ -14,8 +14,8 @@ int chosenDomain(std::optional<int> wanted);
 /// @return The environment variable IGN_PARTITION, else GZ_PARTITION; empty: no partition.
 std::string chosenPartition();
 
-/// The ports by which processes of a domain discover each other, numbered as in the RTPS specification (9.6.1.1): one
-/// for each participant, two apart.
+/// The unicast ports of a domain for participant discovery (SPDP), by the RTPS specification (9.6.1.1): PB + DG *
+/// domain + d1 + PG * participant = 7400 + 250 * domain + 10 + 2 * participant.
 struct DiscoveryPorts {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -25,17 +25,17 @@ struct DiscoveryPorts {
 };
 DiscoveryPorts discoveryPorts(int domain);
 
-/// @return The port of their multicast group, if they use it.
+/// @return The domain's multicast discovery port: PB + DG * domain = 7400 + 250 * domain. Not used on loopback.
 std::uint32_t multicastPort(int domain);
 
 struct OpenPort {
   std::uint32_t port = 0;
-  /// Whether it is only open on 127.0.0.1, like ours.
+  /// Whether the socket is bound to 127.0.0.1, as those of pongsim are, and not to all addresses.
   bool isOnLoopbackAlone = false;
 };
 
-/// @return Discovery ports with a process on this machine that receives from 127.0.0.1; nothing if the system does not
-/// report them.
+/// @return The discovery ports of the domain at which a socket of this machine receives packets for 127.0.0.1; nothing
+/// if the system does not report them.
 std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain);
 
 }  // namespace pongsim::transport

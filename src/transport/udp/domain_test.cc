@@ -52,7 +52,7 @@ TEST(Domain, HasThePartitionThatTheEnvironmentSays) {
 TEST(Domain, HasPortsOfItsOwn) {
   for (int domain = 0; domain < 232; ++domain) {
     const DiscoveryPorts ports = discoveryPorts(domain);
-    // the data's ports lie one above
+    // a participant's user data port is its discovery port + 1 (RTPS: d3 = 11)
     EXPECT_LT(ports.first + 2 * (ports.count - 1) + 1, discoveryPorts(domain + 1).first) << domain;
     EXPECT_GE(ports.count, 60) << domain;
     EXPECT_LT(multicastPort(domain), ports.first) << domain;

@@ -9,19 +9,19 @@ namespace pongsim::transport {
 
 namespace {
 
-// Participants in total, from one socket, and at one port of this machine, where a killed one stays known for a while
-// beside its successor.
+// Limits on known participants: in total, per socket, and per discovery port of this machine. The latter is above 1,
+// because a killed participant stays known until its lease ends, while its successor uses the same port.
 constexpr std::size_t kMostKnown = 512, kMostOfSocket = 4, kMostAtPort = 4;
-// Of another machine: as many as a domain has ports for on one.
+// Limit per address of another machine: about the number of discovery ports that a domain has there.
 constexpr std::ptrdiff_t kMostOfAddress = 128;
 
-// How long a participant may be silent.
+// Bounds of a participant's lease duration.
 constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
-// How long the library may take to drop who says goodbye.
+// Time limit for Fast DDS to remove a participant that has announced its end (DISPOSE or UNREGISTER).
 constexpr std::chrono::seconds kGoodbye{10};
 
-// An announcement that the library has seen is passed on again only after this time: it would just renew the lease,
-// which is kept here.
+// An announcement that Fast DDS has already processed is passed to it again only after this time: it would only renew
+// the lease, and leases are kept in `leases_`.
 constexpr std::chrono::seconds kNews{10};
 
 constexpr std::uint32_t kThisMachinesNet = 127;
@@ -36,7 +36,8 @@ bool Allowance::take(double amount, TimePoint now) {
   return true;
 }
 
-// More than an honest participant needs; DDS repeats what is dropped.
+// Above what a well-behaved participant sends. What exceeds the limits is dropped, and reliable DDS writers send it
+// again.
 Doorkeeper::Known::Known()
     : endpoints(5000, 100), endpointBytes(8 << 20, 128 << 10), gaps(1e6, 16e3), repeatRequests(1e4, 5e3) {}
 
@@ -49,10 +50,10 @@ bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now)
          repeatRequests.take(static_cast<double>(message.repeatRequests), now);
 }
 
-/// Notes what it acknowledges.
-/// @return Whether it has dropped this participant and discovered it again, because it acknowledges less than before.
-/// Its first acknowledgement, of nothing, requests all data again but may be lost; Fast DDS 2.9 does not answer later
-/// ones.
+/// Records what the participant acknowledges.
+/// @return Whether the participant has removed this one and discovered it again: an ACKNACK whose base (lowest missing
+/// sequence number) is below that of an earlier one shows it. The first ACKNACK after the discovery, whose base is 0,
+/// requests all data again but may be lost, and Fast DDS 2.9 does not answer later ones.
 bool Doorkeeper::Known::hasForgotten(const RtpsMessage& message) {
   for (const RtpsAcknowledgement& each : message.acknowledgements) {
     const auto [last, isFirst] = acknowledged.try_emplace(each.writer, each);
@@ -63,7 +64,7 @@ bool Doorkeeper::Known::hasForgotten(const RtpsMessage& message) {
   return false;
 }
 
-/// @return Whether to pass the message to the library: not if it only repeats an announcement that the library knows.
+/// @return Whether to pass the message to Fast DDS: false for the repetition of an announcement that it has processed.
 bool Doorkeeper::Known::isNews(const RtpsMessage& message, TimePoint now) {
   if (!message.isAnnouncement()) return true;
   const std::uint64_t sequence = message.discovery.front().sequence;
@@ -83,7 +84,7 @@ Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const Rt
   bool isGoodbye = false;
   for (const RtpsDiscovery& sample : message->discovery) {
     if (sample.prefix != message->source) return {};
-    // the library would take it for a lease of zero, and drop the participant each time
+    // Fast DDS would read a missing lease as zero, and remove the participant after each announcement
     if (sample.isOfParticipant() && sample.isAlive && !sample.lease) return {};
     isGoodbye |= sample.isOfParticipant() && !sample.isAlive;
   }
@@ -110,8 +111,8 @@ void Doorkeeper::sends(const RtpsMessage& message) {
   for (const RtpsHeartbeat& each : message.heartbeats) note(each.writer, each.last);
 }
 
-/// @return A message in which the participant acknowledges all discovery data sent so far; empty if there is none, or
-/// the participant is not known.
+/// @return A message with ACKNACKs in the participant's name, for all discovery data sent so far; empty if none has
+/// been sent or the participant is not known.
 std::vector<std::uint8_t> Doorkeeper::lastAcknowledgement(const RtpsPrefix& prefix) const {
   const auto known = known_.find(prefix);
   if (known == known_.end() || sent_.empty()) return {};
@@ -166,7 +167,7 @@ Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {
   return endings;
 }
 
-/// @return Whether the participant sends from this socket. It has one for each of its addresses.
+/// @return Whether the participant sends from this socket. It may use one socket for each of its addresses.
 bool Doorkeeper::isFrom(Known& known, const RtpsAddress& from) {
   const auto same = std::ranges::find(known.sockets, from.address, &RtpsAddress::address);
   if (same != known.sockets.end()) return *same == from;
@@ -177,8 +178,8 @@ bool Doorkeeper::isFrom(Known& known, const RtpsAddress& from) {
   return isItsOwn;
 }
 
-/// Adds a participant that announces itself, if its socket and its discovery port exist.
-/// @return Null if they do not, or there are too many.
+/// Adds a participant, if the message is its announcement, and the socket and discovery port in it exist.
+/// @return Null if they do not exist, or a limit is reached.
 Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsAddress& from, Side side,
                                          TimePoint now) {
   const auto announcement = std::ranges::find_if(
@@ -188,7 +189,7 @@ Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsA
   const auto fits = [&](const RtpsAddress& place) {
     return side == Side::kLoopback ? sockets_.isDiscovery(place.port) : place.address == from.address;
   };
-  // before the system is asked
+  // checked first, because it is cheaper than a query of the system's sockets
   if (std::ranges::count_if(known_, [&](const auto& each) {
         return std::ranges::count(each.second.sockets, from) > 0;
       }) >= static_cast<std::ptrdiff_t>(kMostOfSocket)) {
@@ -205,8 +206,8 @@ Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsA
   return &known;
 }
 
-/// Ends the leases of participants at that port of this machine whose sockets are closed.
-/// @return Whether another participant may be known at that port, and its socket exists.
+/// Makes room at a discovery port of this machine by ending the leases of participants whose sockets are closed.
+/// @return Whether another participant can be added there, and its socket is open.
 bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side) {
   if (leases_.size() >= kMostKnown) return false;
   if (side == Side::kBeyond) {
@@ -215,7 +216,7 @@ bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side sid
            }) < kMostOfAddress;
   }
   if (!sockets_.isOpen(from)) return false;
-  // other machines have ports of the same numbers
+  // participants on other machines may have the same port number
   const auto isAtPort = [&](const auto& each) {
     return each.second.side == side && each.second.port == port && leases_.runs(each.first);
   };

@@ -24,14 +24,14 @@ using shared::RtpsHeartbeat;
 using shared::RtpsMessage;
 using shared::RtpsPrefix;
 
-/// A token bucket: an amount at once, and then an amount per second.
+/// A token bucket: holds at most `most` tokens, and gains `perSecond` tokens per second.
 class Allowance {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
   Allowance(double most, double perSecond) : most_(most), perSecond_(perSecond), left_(most) {}
 
-  /// @return Whether the amount was there; it is then taken.
+  /// @return Whether that many tokens were available; if so, they have been removed.
   bool take(double amount, TimePoint now);
 
  private:
@@ -39,63 +39,63 @@ class Allowance {
   std::optional<TimePoint> last_;
 };
 
-/// Decides which received messages Fast DDS sees, because it trusts every sender: it keeps each announced participant
-/// for the announced lease, whatever that is, and accepts messages in the name of others.
+/// Filters received RTPS messages before Fast DDS processes them, because Fast DDS trusts every sender: it keeps an
+/// announced participant for whatever lease the announcement contains, and accepts messages in the name of others.
 ///
-/// A participant becomes known by its first announcement, which must come from an existing socket and name an existing
-/// discovery port. From then on its messages must come from that socket, and what they cost is limited per second:
-/// announced endpoints, sequence numbers in gaps, samples requested again. When it has been silent for its lease, or
-/// has forgotten this participant, the library is told to drop it.
+/// A participant becomes known by its first announcement, which must come from an open socket and contain an open
+/// discovery port. From then on its messages must come from that socket, and these are limited per second: announced
+/// endpoints, sequence numbers in GAP submessages, samples requested again. When the participant has been silent for
+/// its lease, or has removed this one (`hasForgotten`), Fast DDS is made to remove it.
 ///
-/// Before the library drops a participant, it is told that the participant has acknowledged all discovery data of this
-/// one. Otherwise Fast DDS 2.9 deadlocks if the participant leaves while the end of an endpoint is being sent to it
-/// again (docs/transport.md). Thread-safe.
+/// Before Fast DDS removes a participant, it receives an acknowledgement of all discovery data in that participant's
+/// name. Otherwise Fast DDS 2.9 deadlocks if the participant leaves while the end of an endpoint is being sent to it
+/// again (docs/transport.md). Thread-safe: Fast DDS calls it on its receiving threads and on all that send.
 class Doorkeeper {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   enum class Side {
-    /// From this machine, whose open sockets the system can list.
+    /// Received on loopback: from this machine, whose open sockets the system can list.
     kLoopback,
-    /// From other machines.
+    /// Received on the interface for other machines.
     kBeyond
   };
-  /// What is open on this machine.
+  /// Queries of the open UDP sockets of this machine.
   struct Sockets {
-    /// Whether a process listens for participants at the port.
+    /// Whether a socket on 127.0.0.1 is bound to this discovery port of the domain.
     std::function<bool(std::uint32_t port)> isDiscovery;
-    /// Whether a socket has the address.
+    /// Whether a socket receives at this address.
     std::function<bool(const RtpsAddress& address)> isOpen;
   };
 
   struct Admission {
-    /// Whether the library may see the message.
+    /// Whether to pass the message to Fast DDS.
     bool isAdmitted = false;
-    /// A message to pass to it first; empty: none.
+    /// A message to pass to Fast DDS before it; empty: none.
     std::vector<std::uint8_t> before;
   };
 
   explicit Doorkeeper(Sockets sockets);
 
-  /// @param bytes A message; the lease in it becomes endless, see `shared::Leases`.
-  /// @param from The socket that it comes from.
+  /// @param bytes The message. The lease in it is changed to an infinite one, see `shared::Leases`.
+  /// @param from The sender's socket.
   Admission admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
 
-  /// Notes what a message that this participant sends says of its discovery data.
+  /// Records the sequence numbers of discovery data in a message that this participant sends.
   void sends(const RtpsMessage& message);
 
-  /// Notes that the library knows a participant, or no longer knows it.
+  /// Fast DDS has discovered or removed a participant. Called from its listener.
   void discovered(const RtpsPrefix& prefix, TimePoint now);
   void removed(const RtpsPrefix& prefix);
 
-  /// Refuses all messages of another participant of this process, which listens for others at that port.
+  /// Drops all messages from another participant of this process, whose discovery port is given.
   void ignore(const RtpsPrefix& prefix, std::uint32_t port);
 
-  /// @return Whether known participants of this machine listen for others at this port, and all of them have
-  /// acknowledged what the heartbeat announces; also true for the port of an ignored one.
+  /// @return Whether at least one participant of this machine has this discovery port, and all that have it have
+  /// acknowledged the samples that the heartbeat announces; also true for the port of an ignored participant.
   bool isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat);
 
   struct Endings {
-    /// Messages to pass to the library, in this order: it then drops the participants whose lease has ended.
+    /// Messages to pass to Fast DDS, in this order, so that it removes the participants whose lease has ended.
     std::vector<std::vector<std::uint8_t>> messages;
     TimePoint nextLook;
   };
@@ -103,18 +103,18 @@ class Doorkeeper {
 
  private:
   struct Known {
-    /// The sockets that its messages come from, at most one per address.
+    /// The sockets from which its messages come, at most one per address.
     std::vector<RtpsAddress> sockets;
-    /// Those of its announcement.
+    /// The addresses in its announcement.
     std::vector<RtpsAddress> addresses;
-    /// Where it listens for others.
+    /// Its discovery port.
     std::uint32_t port = 0;
     Side side = Side::kLoopback;
-    /// Whether the library knows it, and the sequence number and time of the last announcement that the library saw.
+    /// Whether Fast DDS has discovered it, and sequence number and time of the last announcement passed to Fast DDS.
     bool isDiscovered = false;
     std::uint64_t seen = 0;
     TimePoint seenAt;
-    /// What it has acknowledged of this participant's discovery data, by writer.
+    /// Its last acknowledgement of this participant's discovery data, by writer.
     std::map<RtpsEntity, RtpsAcknowledgement> acknowledged;
     Allowance endpoints, endpointBytes, gaps, repeatRequests;
 
@@ -133,12 +133,12 @@ class Doorkeeper {
   Sockets sockets_;
   /// Participants whose lease has not ended.
   std::map<RtpsPrefix, Known> known_;
-  /// The port of each ignored participant.
+  /// The discovery port of each ignored participant of this process.
   std::map<RtpsPrefix, std::uint32_t> ignored_;
-  /// The number of the last sample sent by each writer of this participant's discovery data.
+  /// The last sequence number sent by each of this participant's discovery writers.
   std::map<RtpsEntity, std::uint64_t> sent_;
   shared::Leases leases_;
-  /// Queries of the system's sockets.
+  /// Limits the queries of the system's sockets.
   Allowance looks_{300, 100};
 };
 

@@ -22,7 +22,7 @@ RtpsPrefix prefixOf(int number) {
   return {1, 15, static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(number >> 8), 0, 0, 0, 0, 0, 0, 0, 0};
 }
 
-/// A doorkeeper on a machine with some sockets, whose clock is told.
+/// A doorkeeper on a machine with some open sockets; the test sets the time.
 class DoorkeeperTest : public testing::Test {
  protected:
   bool admits(const Packet& packet, const RtpsAddress& from, Doorkeeper::Side side = Doorkeeper::Side::kLoopback) {
@@ -78,7 +78,7 @@ class DoorkeeperTest : public testing::Test {
   int looks_ = 0;
   Doorkeeper::TimePoint now_{};
   std::vector<std::uint8_t> bytes_;
-  /// What the library must see before the last message.
+  /// The message to pass to Fast DDS before the last one.
   std::vector<std::uint8_t> before_;
   Doorkeeper doorkeeper_{{[this](std::uint32_t port) {
                             ++looks_;

@@ -23,10 +23,10 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr const char* kLocalAddress = "127.0.0.1";
 
-// More than a participant opens.
+// Capacity of the list of open ports, above the number that a participant opens.
 constexpr std::size_t kMostPorts = 64;
 
-/// @return Whether sending to the locator is that side's business.
+/// @return Whether the transport of that side sends to this locator.
 bool isOn(GatedUdp::Side side, const rtps::Locator_t& locator) {
   constexpr rtps::octet kLoopbackNet = 127;
   return (rtps::IPLocator::getIPv4(locator)[0] == kLoopbackNet) == (side == GatedUdp::Side::kLoopback);
@@ -39,7 +39,8 @@ std::uint32_t addressOf(const rtps::Locator_t& locator) {
   return address;
 }
 
-/// Those of other locators that a message goes to on one side.
+/// The locators of a message to which the transport of one side sends it, skipping those that `Announcements` or
+/// `Heartbeats` exclude.
 class OwnSide : public rtps::LocatorsIterator {
  public:
   OwnSide(GatedUdp::Side side, int domain, std::span<const rtps::octet> message, UdpGate& gate,
@@ -100,12 +101,12 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
                         std::uint32_t size) override {
     const bool isMulticast = rtps::IPLocator::isMulticast(locator);
     if (side_ == GatedUdp::Side::kLoopback) {
-      // the participant listens at its other address, of which this way does not know
+      // Fast DDS passes the locator with the interface's address; this transport listens on 127.0.0.1 instead
       rtps::Locator_t local = locator;
       rtps::IPLocator::setIPv4(local, kLocalAddress);
       if (isMulticast || !ChainingTransport::OpenInputChannel(local, receiver, size)) return false;
       const std::lock_guard lock(gate_->mutex);
-      // the library does not survive an exception while another port is open
+      // no reallocation, because Fast DDS does not survive an exception here while another port is open
       if (gate_->ports.size() < gate_->ports.capacity()) gate_->ports.push_back(locator.port);
       if (discoveryPorts(domain_).contains(locator.port)) {
         gate_->receiver = receiver;
@@ -120,7 +121,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
     return ChainingTransport::OpenInputChannel(locator, receiver, size);
   }
 
-  /// The addresses of this machine are all reached by 127.0.0.1, for whoever listens at another one listens there too.
+  /// Maps all addresses of this machine to 127.0.0.1: a participant that listens at another one listens there, too.
   bool transform_remote_locator(const rtps::Locator_t& remote, rtps::Locator_t& result) const override {
     if (side_ == GatedUdp::Side::kBeyond) return ChainingTransport::transform_remote_locator(remote, result);
     if (!IsLocatorSupported(remote) || !is_local_locator(remote)) return false;
@@ -141,7 +142,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
     if (!gate_->isOpen) return;
     const RtpsAddress from{addressOf(remote), remote.port};
     const auto side = side_ == GatedUdp::Side::kLoopback ? Doorkeeper::Side::kLoopback : Doorkeeper::Side::kBeyond;
-    // it is the library's buffer, which it may change itself
+    // the buffer belongs to Fast DDS, which itself modifies it
     const std::span message(const_cast<rtps::octet*>(bytes), size);
     const auto [isAdmitted, before] = gate_->doorkeeper.admits(message, from, side, std::chrono::steady_clock::now());
     if (!isAdmitted) return;
@@ -152,7 +153,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
   }
 
  private:
-  /// A plain copy, for Fast DDS to read limits from.
+  /// A plain copy, from which Fast DDS reads its limits.
   class Descriptor : public dds_rtps::ChainingTransportDescriptor {
    public:
     using ChainingTransportDescriptor::ChainingTransportDescriptor;
@@ -168,7 +169,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
 }  // namespace
 
-// A system that has never known of the participant's own sockets does not tell of others either.
+// Where the system has never listed the participant's own sockets, its lists are not trusted for others either.
 UdpGate::UdpGate(int domain)
     : announcements([this, domain] { return listeners(domain); }),
       heartbeats([this](std::uint32_t port, const RtpsHeartbeat& heartbeat) {

@@ -20,64 +20,66 @@
 
 namespace pongsim::transport {
 
-/// What the ways out and in of a participant share.
+/// State shared by the UDP transports of a participant, one for each `GatedUdp::Side`.
 struct UdpGate {
   explicit UdpGate(int domain);
 
-  /// Lets leases end from now on, and calls `open` if the gate is not open by `openBy`.
-  /// @throws std::system_error where the system gives no thread.
+  /// Starts the thread that ends leases, and that calls `open` if `isOpen` is still false at `openBy`.
+  /// @throws std::system_error if the thread can't be started.
   void watch(Watch::TimePoint openBy, std::function<void()> open);
-  /// Ends no more leases, and does not open by itself any more. To be called before the participant is removed.
+  /// Ends that thread. Must be called before the participant is removed.
   void close() { watch_.reset(); }
-  /// @return Whether the system says who listens.
+  /// @return Whether the system lists open UDP sockets reliably, see `isTold`.
   bool tells();
 
-  /// What is sent or received before is lost.
+  /// While false, everything sent or received is discarded.
   std::atomic<bool> isOpen = false;
   std::mutex mutex;
-  /// Ports that are open on loopback. Its capacity does not change.
+  /// Local ports opened on loopback. Capacity is reserved: `OpenInputChannel` never reallocates.
   std::vector<std::uint32_t> ports;
-  /// Who takes what comes in at the discovery port, and where that is.
+  /// Fast DDS's receiver for the discovery port, and the port's locator. Set when the port is opened.
   eprosima::fastdds::rtps::TransportReceiverInterface* receiver = nullptr;
   eprosima::fastrtps::rtps::Locator_t discoveryPort;
-  /// Whether the system has once told of one of them, when asked who listens.
+  /// Whether a list of the system's sockets has contained one of `ports`. Until then the lists are not used: a system
+  /// that does not list these does not list others either.
   bool isTold = false;
-  /// Say where these go on this machine.
+  /// Filter what is sent to discovery ports of this machine.
   Announcements announcements;
   Heartbeats heartbeats;
-  /// Says what may come in.
+  /// Filters what is received.
   Doorkeeper doorkeeper;
 
  private:
   /// @return The domain's discovery ports that are open on this machine; nothing if the system does not report them.
   std::optional<std::vector<std::uint32_t>> listeners(int domain);
 
-  /// @return When leases may end next.
+  /// Makes Fast DDS remove the participants whose lease has ended.
+  /// @return The time of the next call.
   Watch::TimePoint endLeases();
 
   std::optional<Watch> watch_;
 };
 
-/// UDP whose way out can be shut, and whose way in is guarded.
+/// A UDP transport of Fast DDS that discards everything until it is opened, and filters what it sends and receives.
 ///
-/// Fast DDS 2.9 announces a new participant before it hands on what the participant's sockets receive. Whoever is there
-/// answers at once and only once, and where the answer is quicker than the participant it is lost: the two meet at the
-/// next periodic announcement, seconds later. So nothing may leave until the participant listens.
+/// Fast DDS 2.9 announces a new participant before it processes what the participant's sockets receive. Other
+/// participants answer an announcement at once and only once. If the answer arrives too early it is lost, and the two
+/// discover each other only at the next periodic announcement, seconds later. So nothing is sent until the participant
+/// can receive.
 ///
-/// Announcements go to all participants that there could be. `Announcements` picks those to whom one is news, and
-/// `Heartbeats` does so for heartbeats.
+/// Fast DDS sends announcements to all possible discovery ports. `Announcements` selects the ports to which one is
+/// sent, and `Heartbeats` does so for heartbeats. Received messages pass the `Doorkeeper`, because Fast DDS trusts
+/// every sender.
 ///
-/// What comes in goes by a `Doorkeeper`, for the library trusts whoever speaks to it.
-///
-/// A participant that talks to other machines too has two of them, loopback first. Each sends only what is for its
-/// side, where the library sends everything from each socket; and the second listens at a port only where the first
-/// does, for otherwise a participant could be deaf for its own machine.
+/// A participant that also communicates with other machines has two such transports, loopback first. Each sends only to
+/// the locators of its side, whereas Fast DDS alone would send to all from each socket. The second opens a port only if
+/// the first has opened it: otherwise the participant could not receive from its own machine.
 class GatedUdp : public eprosima::fastdds::rtps::ChainingTransportDescriptor {
  public:
   enum class Side {
-    /// This machine: what is for 127.0.0.0/8, and no multicast.
+    /// Locators in 127.0.0.0/8, no multicast.
     kLoopback,
-    /// All else.
+    /// All other locators.
     kBeyond
   };
 

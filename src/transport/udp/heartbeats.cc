@@ -4,7 +4,7 @@ namespace pongsim::transport {
 
 namespace {
 
-// Less than the period of a writer's heartbeats.
+// Minimum interval between two equal heartbeats to a port, shorter than a writer's heartbeat period.
 constexpr std::chrono::milliseconds kAgain{900};
 
 }  // namespace

@@ -12,22 +12,23 @@
 
 namespace pongsim::transport {
 
-/// Decides which discovery ports of this machine the heartbeats of discovery's writers go to.
+/// Filters heartbeats of the discovery writers (SEDP): decides for each discovery port of this machine whether one is
+/// sent.
 ///
-/// Fast DDS 2.9 sends one to all participants each second while a single one has not acknowledged everything, and after
-/// each sample that a single one asks for. Each is answered by all. A hundred processes that start at once spend so
-/// much on that that they lose messages, and have to ask again. So a participant that has acknowledged everything gets
-/// none, and another one the same one once per second. Thread-safe.
+/// While any reader has not acknowledged everything, Fast DDS 2.9 sends a heartbeat to all participants each second,
+/// and another after each sample that is requested again; each participant answers each heartbeat. A hundred processes
+/// that start together spend so much time on this that they lose messages and request them again. So a participant that
+/// has acknowledged everything gets no heartbeat, and others get equal heartbeats once per second. Thread-safe.
 class Heartbeats {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
-  /// @return Whether all participants at the port have acknowledged all that the heartbeat announces.
+  /// @return Whether all participants at the port have acknowledged all samples that the heartbeat announces.
   using IsAcknowledged = std::function<bool(std::uint32_t port, const shared::RtpsHeartbeat& heartbeat)>;
 
   explicit Heartbeats(IsAcknowledged isAcknowledged) : isAcknowledged_(std::move(isAcknowledged)) {}
 
-  /// @param heartbeats All that is in a message.
-  /// @return Whether to send the message to this port; it then counts as sent.
+  /// @param heartbeats All heartbeats of a message.
+  /// @return Whether to send the message to this port; if so, it is recorded as sent.
   bool goTo(std::uint32_t port, std::span<const shared::RtpsHeartbeat> heartbeats, TimePoint now);
 
  private:

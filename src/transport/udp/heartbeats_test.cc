@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Heartbeats among participants of which a test says what they have acknowledged, with a clock that is told.
+/// Heartbeats to participants whose acknowledgements the test sets, as it does the time.
 class HeartbeatsTest : public testing::Test {
  protected:
   bool goTo(std::uint32_t port, std::uint64_t last, shared::RtpsEntity writer = shared::kPublicationsWriter) {

@@ -7,8 +7,8 @@
 
 namespace pongsim::transport {
 
-/// @param wanted An interface's name or address; unset or empty: the environment variable PONGSIM_NETWORK.
-/// @return The interface for other machines; nothing if none is chosen, or loopback.
+/// @param wanted An interface's name or IPv4 address; unset or empty: the environment variable PONGSIM_NETWORK.
+/// @return The interface over which to communicate with other machines; nothing if none or loopback is chosen.
 /// @throws std::invalid_argument if there is no such interface; the message lists the existing ones.
 std::optional<NetworkInterface> chosenInterface(const std::optional<std::string>& wanted);
 

@@ -10,7 +10,7 @@ namespace pongsim::transport {
 
 namespace {
 
-/// Each of these tests says itself what the environment has.
+/// Each test sets PONGSIM_NETWORK itself.
 class Interfaces : public testing::Test {
  protected:
   Interfaces() { unsetenv("PONGSIM_NETWORK"); }

@@ -20,8 +20,9 @@ namespace pongsim::transport {
 
 namespace {
 
-/// A step of the filter that the kernel runs for each socket: whether its port compares so with `port`. If so it goes
-/// on `ifSo` bytes further, else `ifNot`; one that ends right behind the last step is told of.
+/// An instruction of the INET_DIAG bytecode filter, which the kernel runs for each socket: compares the socket's port
+/// with `with`, and jumps `ifSo` bytes forward if the comparison holds, else `ifNot` bytes. The socket is reported if
+/// the jump ends exactly behind the last instruction.
 struct Comparison {
   inet_diag_bc_op compare;
   inet_diag_bc_op port;
@@ -31,7 +32,7 @@ struct Comparison {
         port{0, 0, with} {}
 };
 
-/// A question to the kernel for the UDP sockets over IPv4 at some ports.
+/// A request to the kernel (sock_diag(7)) for the UDP sockets over IPv4 in a range of ports.
 struct Question {
   nlmsghdr header{};
   inet_diag_req_v2 wanted{};
@@ -55,7 +56,7 @@ struct Question {
 
 enum class Rest { kMore, kNone, kRefused };
 
-/// Reads one piece of the answer.
+/// Reads one datagram of the kernel's answer.
 Rest readPiece(const std::byte* bytes, std::size_t size, std::vector<BoundUdp>& sockets) {
   while (size >= sizeof(nlmsghdr)) {
     nlmsghdr header{};
@@ -76,7 +77,8 @@ Rest readPiece(const std::byte* bytes, std::size_t size, std::vector<BoundUdp>& 
 
 struct Answer {
   std::vector<BoundUdp> sockets;
-  /// Between two pieces sockets may come and go, and the kernel remembers its position by counting.
+  /// Whether one datagram held all sockets. Between two, sockets may be opened and closed, and the kernel resumes its
+  /// list by counting, so that some may be missing or listed twice.
   bool isInOnePiece = true;
 };
 
@@ -96,7 +98,7 @@ std::optional<Answer> askKernel(int netlink, const PortRange& ports) {
   }
 }
 
-/// @return Whether the kernel knows of a socket that receives what is sent to the address.
+/// @return Whether the kernel finds a socket that receives packets for the address.
 bool findsSocket(int netlink, const BoundUdp& address) {
   struct {
     nlmsghdr header{};
@@ -108,7 +110,7 @@ bool findsSocket(int netlink, const BoundUdp& address) {
   question.wanted.sdiag_family = AF_INET;
   question.wanted.sdiag_protocol = IPPROTO_UDP;
   question.wanted.idiag_states = ~0U;
-  // as in a packet to the socket
+  // the kernel looks the socket up as for a received packet, with this destination
   question.wanted.id.idiag_dst[0] = htonl(address.address);
   question.wanted.id.idiag_dport = htons(static_cast<std::uint16_t>(address.port));
   std::ranges::fill(question.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
@@ -128,7 +130,7 @@ std::optional<bool> isUdpOpen(const BoundUdp& address) {
     close(netlink);
     if (isFound) return true;
   }
-  // where it is not found, it may be that this kernel does not find any
+  // not found, or the kernel does not support the look-up: list the sockets
   const auto port = static_cast<std::uint16_t>(address.port);
   const auto sockets = boundUdpSockets({port, port});
   if (!sockets) return std::nullopt;
@@ -145,7 +147,8 @@ std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports
   const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG);
   if (netlink < 0) return std::nullopt;
   auto answer = askKernel(netlink, ports);
-  // The kernel makes pieces of a page until it has seen what buffer its reader has.
+  // The kernel fills datagrams of one page until it has seen the reader's buffer size, so a second request may fit into
+  // one datagram.
   if (answer && !answer->isInOnePiece) answer = askKernel(netlink, ports);
   close(netlink);
   if (!answer) return std::nullopt;
@@ -153,14 +156,14 @@ std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports
 }
 
 std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports) {
-  // /proc/net is the same, but is not there with the option subset=pid (systemd: ProcSubset)
+  // /proc/net is a link to /proc/self/net, and is missing if /proc is mounted with subset=pid (systemd: ProcSubset)
   std::ifstream table("/proc/self/net/udp");
   if (!table) return std::nullopt;
   std::vector<BoundUdp> sockets;
   std::string line;
   std::getline(table, line);
   while (std::getline(table, line)) {
-    // the address as it lies in memory, in the network's byte order
+    // the kernel prints the address as a 32-bit number whose bytes are in network order
     unsigned address = 0;
     unsigned port = 0;
     if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) != 2) continue;

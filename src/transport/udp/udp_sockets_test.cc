@@ -20,7 +20,7 @@ namespace pongsim::transport {
 
 namespace {
 
-/// Some sockets at ports that no other test uses, and others beside them.
+/// Sockets at ports that no other test uses, inside and outside the requested range.
 class UdpSockets : public testing::Test {
  protected:
   UdpSockets() {
@@ -67,7 +67,7 @@ TEST_F(UdpSockets, AreFoundByTheirAddress) {
 }
 
 TEST_F(UdpSockets, AreToldOfByProcToo) {
-  // in one reading some may be missing where other tests open and close sockets just now
+  // one reading may miss some, while other tests open and close sockets
   std::set<BoundUdp> told;
   const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
   while (told.size() < expected_.size() && std::chrono::steady_clock::now() < deadline) {
