@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kAddedWorld = R"(<sdf version="1.9"><world name="w">
   <model name="ball"><pose>0 0 100 0 0 0</pose><link name="l"/></model></world></sdf>)";
 
-/// Notes its calls where who has added it can see them.
+/// Records its calls in a list that the test keeps.
 class NotingSystem : public System {
  public:
   NotingSystem(std::string name, std::vector<std::string>& calls) : name_(std::move(name)), calls_(calls) {}
@@ -89,7 +89,7 @@ TEST_F(AddedSystemTest, IsThereWithoutTheSystemsOfTheFile) {
   EXPECT_EQ(takeCalls().size(), 2001U);
 }
 
-/// Keeps what it is given for as long as it lives, as `SystemContext` allows.
+/// Keeps its context, which `SystemContext` allows for as long as the system exists.
 class KeepingSystem : public System {
  public:
   void configure(const SystemContext& context) override { context_.emplace(context); }

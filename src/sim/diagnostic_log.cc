@@ -8,7 +8,7 @@ namespace pongsim::sim {
 
 namespace {
 
-/// As a log prints it, which says itself how bad it is.
+/// @return The diagnostic's text without its severity, which the log prints itself.
 std::string withoutSeverity(const Diagnostic& diagnostic) {
   std::string text = format(diagnostic);
   const std::string_view severity = diagnostic.severity == Severity::kError ? "error: " : "warning: ";
@@ -16,7 +16,7 @@ std::string withoutSeverity(const Diagnostic& diagnostic) {
   return text;
 }
 
-/// One request must not fill a log.
+/// Limit per request, so that a single one can't fill a log.
 constexpr std::size_t kMostLines = 20;
 
 std::string tell(const Diagnostics& diagnostics, const Logger& log, bool tellsErrors) {

@@ -28,8 +28,8 @@ void addSensorPlugins(const description::Model& model, std::vector<description::
   for (const description::Model& nested : model.models) addSensorPlugins(nested, plugins);
 }
 
-/// @return The plugins of a world around these models: none, which means those of Fortress's server, unless they have
-/// sensors that need others.
+/// @return The plugins of a world around these models: those that simulate their sensors, with physics and scene
+/// broadcaster; none if there are no such sensors, which means the default systems of Fortress's server.
 std::vector<description::Plugin> pluginsFor(const std::vector<description::Model>& models) {
   std::vector<description::Plugin> plugins;
   for (const description::Model& model : models) addSensorPlugins(model, plugins);
@@ -45,8 +45,7 @@ std::vector<description::Plugin> pluginsFor(const std::vector<description::Model
   return plugins;
 }
 
-/// @return A world around the models, lights and actors that stand in none: a ground, the sun, and what a world has by
-/// default.
+/// @return A world with the file's top-level models, lights and actors, a ground, a sun, and the default settings.
 description::World worldAround(sdf::Root root) {
   constexpr std::string_view kWorld =
       "<sdf version='1.9'><world name='default'><light name='sun' type='directional'><pose>0 0 10 0 0 0</pose></light>"
@@ -57,7 +56,7 @@ description::World worldAround(sdf::Root root) {
   Diagnostics none;
   description::World world = std::move(sdf::loadText(kWorld, "default world", none, {}).worlds.at(0));
   const auto addTo = [](auto& standard, auto& own) {
-    // the file's own ground or sun takes the place of ours
+    // a model or light of the file replaces the standard one of the same name
     for (const auto& part : own) std::erase_if(standard, [&](const auto& other) { return other.name == part.name; });
     std::ranges::move(own, std::back_inserter(standard));
   };

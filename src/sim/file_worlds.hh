@@ -11,17 +11,17 @@
 
 namespace pongsim::sim {
 
-/// Makes the worlds of a file simulable: a file without worlds gets one around its models, lights and actors, with a
-/// ground, a sun, the systems that their sensors need, and the defaults of a world.
+/// Prepares the worlds of a file for simulation. A file without worlds gets one around its models, lights and actors,
+/// with a ground, a sun, the systems that the sensors need, and default settings.
 /// @return Whether the file can be simulated; otherwise `diagnostics` has the reason.
 bool prepareWorlds(sdf::Root& root, Diagnostics& diagnostics);
 
 /// @param name Empty: the first world, with a warning for each other one.
-/// @return The number of the world of that name; nothing, and an error added, if there is none.
+/// @return The index of the world of that name; nothing, and an error, if there is none.
 std::optional<std::size_t> chooseWorld(const std::vector<description::World>& worlds, const std::string& name,
                                        Diagnostics& diagnostics);
 
-/// Adds an error for each world whose topics have the names of another one's, for "a b" and "a_b" have the same.
+/// Adds an error for each world whose topic names equal those of another one: the topics of "a b" and "a_b" do.
 void checkTopicNames(const std::vector<description::World>& worlds, Diagnostics& diagnostics);
 
 }  // namespace pongsim::sim

@@ -28,7 +28,7 @@ const world::ActorRecord* actorNamed(const world::Entities& entities, std::strin
   return found == entities.actors().end() ? nullptr : &*found;
 }
 
-/// @return For each model the number of its cluster: the slot of the first of the top-level models that joints connect,
+/// @return For each model the number of its cluster: the lowest slot among the top-level models that joints connect,
 /// directly or through others. Nested models are in the cluster of their parent.
 std::vector<world::Slot> clustersOf(const world::Entities& entities) {
   std::vector<world::Slot> parents(entities.models().size());
@@ -91,7 +91,7 @@ void Levels::readZones() {
 }
 
 void Levels::readPerformers() {
-  // after a reset they have their ids again
+  // performers added at run time end with a reset
   std::erase_if(performers_, [](const PerformerOfLevels& performer) { return !performer.isOfFile; });
   const std::vector<PerformerOfLevels> before = std::exchange(performers_, {});
   for (const description::Performer& performer : access_.entities.description().levels.performers) {
@@ -195,7 +195,7 @@ void Levels::rearrange() {
     if (!isWanted(member)) aside.push_back(member.id);
   }
   std::ranges::sort(aside);
-  // a cluster is set aside when none of its models is wanted
+  // a cluster is set aside if none of its models is in a loaded level
   const std::vector<world::ModelRecord>& models = access_.entities.models();
   const std::vector<world::Slot> clusters = clustersOf(access_.entities);
   std::vector<bool> stays(models.size());
@@ -216,7 +216,7 @@ void Levels::rearrange() {
 void Levels::transfer(StateArchive& archive) {
   for (Zone& zone : zones_) archive(zone.isLoaded);
   archive(awaited_);
-  // whether joints keep something is evaluated again
+  // forces the next `update` to evaluate again which entities joints keep
   if (archive.isGiving()) isHeld_ = true;
   std::vector<PerformerOfLevels> made;
   for (const PerformerOfLevels& performer : performers_) {

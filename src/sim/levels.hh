@@ -23,10 +23,10 @@ class Access;
 /// Box of models that become performers at run time, as in Fortress [m].
 inline const Vector3 kPerformerSize(2, 2, 2);
 
-/// The loaded levels and the performers of a world. As in Fortress, a level is loaded when the box of a performer
-/// overlaps its own, and unloaded when none overlaps that box enlarged by the buffer. Entities that are only in
-/// unloaded levels are set aside. Performers, entities in no level, and those connected by a joint to something loaded
-/// are always there.
+/// The performers of a world, and which levels are loaded. As in Fortress, a level is loaded when the box of a
+/// performer overlaps the level's box, and unloaded when no performer's box overlaps it, enlarged by the level's
+/// buffer. Entities that are only in unloaded levels are set aside. Performers, entities in no level, and entities that
+/// a joint connects to a loaded one always exist.
 class Levels {
  public:
   /// @param access Must outlive this.
@@ -35,7 +35,7 @@ class Levels {
   /// Resets to the start, when all entities exist: no level is loaded, and the performers are those of the file.
   void start();
 
-  /// Enables levels; otherwise everything is always loaded.
+  /// Enables levels; by default everything is always loaded.
   void use() { areUsed_ = true; }
   bool areUsed() const { return areUsed_; }
 
@@ -44,13 +44,13 @@ class Levels {
   void update();
 
   /// Makes a top-level model a performer.
-  /// @param name Of the performer; empty: "perf_" and the model's name.
+  /// @param name The performer's name; empty: "perf_" and the model's name.
   /// @param size Side lengths of its box [m].
   Outcome<void> add(ModelId model, std::string name, const Vector3& size);
-  /// Makes a model a performer when it is added later.
+  /// Makes a model a performer once a model of that name is added.
   void addLater(std::string model) { awaited_.push_back(std::move(model)); }
 
-  /// Replaces `performers` by the existing ones.
+  /// Overwrites `performers` with the existing performers.
   void listPerformers(std::vector<Performer>& performers) const;
 
   /// Saves or restores the loaded levels and the performers.
@@ -71,17 +71,17 @@ class Levels {
   struct Member {
     Kind kind;
     std::uint64_t id;
-    /// Its levels.
+    /// Indices of the levels that contain it.
     std::vector<std::size_t> zones;
   };
   struct PerformerOfLevels {
     std::uint64_t id;
     std::string name;
-    /// The performing model or actor; one of the two.
+    /// The model or actor that performs; the other one is unset.
     ModelId model;
     const description::Actor* actor;
     Vector3 size;
-    /// From the file.
+    /// Whether the file defines it.
     bool isOfFile;
   };
 
@@ -99,13 +99,13 @@ class Levels {
   std::vector<Member> members_;
   std::vector<PerformerOfLevels> performers_;
   std::vector<std::string> awaited_;
-  /// A joint keeps an entity that would be set aside.
+  /// Whether a joint keeps an entity that would otherwise be set aside.
   bool isHeld_ = false;
-  /// Membership was not evaluated yet.
+  /// Whether membership in levels has yet to be evaluated.
   bool isNew_ = true;
-  /// The evaluated changes of `Access`.
+  /// `Access::changes` at the last evaluation.
   std::uint64_t changes_ = 0;
-  // Made once, used in each step.
+  // Buffers, kept to avoid allocations in each step.
   std::vector<Eigen::AlignedBox3d> boxes_;
 };
 

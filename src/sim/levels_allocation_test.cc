@@ -43,7 +43,7 @@ TEST(LevelsAllocation, AllocateNothingWhereNothingChanges) {
   EXPECT_EQ(entities.listSetAside().size(), 5U);
   std::vector<Performer> performers;
   access.levels.listPerformers(performers);
-  // from buffer to buffer, which changes nothing
+  // moves within the levels' buffers, which loads and unloads nothing
   const auto put = [&](double x, double y) {
     Editor(access).setPose(entities.findModel("sphere"), {{x, y, 0}, Quaternion::Identity()}, AfterMove::kStop);
   };

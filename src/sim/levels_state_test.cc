@@ -1,4 +1,4 @@
-// Everything set aside with a level keeps its bits, including systems and sensors.
+// What is set aside with a level keeps its state bit for bit, including systems and sensors.
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/imu.pb.h>
@@ -35,11 +35,11 @@ std::string boxModel(const std::string& name, const std::string& pose, const std
          "0.2</size></box></geometry></collision>" + more + "</link></model>";
 }
 
-/// Not in any level.
+/// A model that is in no level.
 const std::string kOther = boxModel("other", "0 40 0.8 0.5 0.2 0");
 
-/// A robot that drives, boxes that fall on the ground and on each other, and a pendulum, all in one level but for the
-/// ground, and a scout that performs.
+/// A driving robot, boxes that fall on the ground and on each other, and a pendulum, all in one level; a ground in
+/// none; and a scout, which is the performer.
 std::string playground() {
   const std::string noise =
       "<noise type='gaussian'><bias_mean>5</bias_mean><dynamic_bias_stddev>1e-9</dynamic_bias_stddev>"
@@ -99,7 +99,7 @@ std::unique_ptr<Simulation> play(SimulationOptions options = {.levels = true}) {
   return simulation;
 }
 
-/// The bits of everything in the level.
+/// The complete state of everything in the level, for comparison bit for bit.
 std::vector<double> bits(Simulation& simulation) {
   std::vector<double> values;
   for (const char* name : kMembers) {
@@ -116,7 +116,7 @@ std::vector<double> bits(Simulation& simulation) {
   return values;
 }
 
-/// Moves the scout away and back.
+/// Moves the scout away, which unloads the level, steps, and moves it back.
 void visit(Simulation& simulation, std::uint64_t steps) {
   place(simulation, "scout", kFar);
   simulation.step(steps);
@@ -126,7 +126,7 @@ void visit(Simulation& simulation, std::uint64_t steps) {
 
 class LevelBits : public testing::TestWithParam<int> {};
 
-// in the air, when things hit the ground, and when everything except the rover and the pendulum is at rest
+// Step numbers at which things fall, hit the ground, and are at rest except the rover and the pendulum.
 TEST_P(LevelBits, AreThoseThatTheyWouldHaveBeen) {
   const auto moment = static_cast<std::uint64_t>(GetParam());
   const auto always = play({});
@@ -177,7 +177,7 @@ TEST(LevelSystems, RestWhileTheirModelIsSetAside) {
 }
 
 TEST(LevelSensors, GoOnWithTheirNoise) {
-  // a bias of 5 rad/s, which fades within 0.1 s
+  // a gyroscope bias of 5 rad/s with a correlation time of 0.1 s
   const auto simulation = play();
   std::vector<double> readings;
   const Subscription subscription = simulation->transport().node().subscribe<ignition::msgs::IMU>(
@@ -200,7 +200,7 @@ TEST(LevelState, LeavesNoTraceWhereItIsForged) {
   simulation->step(10);
   EXPECT_FALSE(simulation->world().model("rover"));
   const std::vector<std::byte> state = simulation->saveState();
-  // what no level has
+  // a forged state sets aside a model that is in no level
   std::vector<std::byte> forged = state;
   const std::string_view member = "model crate", stranger = "model other";
   const auto found = std::ranges::search(forged, std::as_bytes(std::span(member)));
@@ -310,23 +310,23 @@ TEST_F(LevelSave, HasWhatIsSetAside) {
   const std::vector<std::byte> state = simulation->saveState();
   const std::vector<std::uint64_t> hashes = goOn(*simulation);
   EXPECT_EQ(hashes.back(), 2U);
-  // into a run in which the level is loaded
+  // restored into a run in which the level is loaded
   ASSERT_TRUE(simulation->restoreState(state));
   EXPECT_FALSE(simulation->world().model("crate"));
   EXPECT_EQ(simulation->countSetAside(), 5U);
   EXPECT_EQ(goOn(*simulation), hashes);
-  // into one in which it is not
+  // restored into a run in which the level is unloaded
   place(*simulation, "scout", kFar);
   simulation->step(10);
   ASSERT_TRUE(simulation->restoreState(state));
   EXPECT_EQ(goOn(*simulation), hashes);
-  // into another run
+  // restored into another simulation
   const auto other = play();
   ASSERT_TRUE(other->restoreState(state));
   EXPECT_EQ(goOn(*other), hashes);
 }
 
-// a gripper and the object that it holds are set aside together
+// A gripper and the object that it holds are set aside together.
 TEST_F(LevelSave, HasWhatSystemsHoldThatRest) {
   std::string text = playground();
   text.replace(text.find("<ref>crate</ref>"), 16, "<ref>crate</ref><ref>gripper</ref>");
@@ -379,7 +379,7 @@ TEST_F(LevelSave, IsRefusedWhereItDoesNotFitAndLeavesAllAsItWas) {
   EXPECT_EQ(without->restoreState(state).error,
             "the saved state is of another world, or of other models, joints or systems");
   EXPECT_EQ(without->stateHash(), before);
-  // a joint that can't be made again, because a model is no longer the file's
+  // the joint can't be restored, because a model of the file was replaced by an inserted one
   const auto other = play();
   other->step(400);
   World world = other->world();

@@ -33,7 +33,7 @@ class LevelsTest : public testing::Test {
     simulation_->step();
   }
   bool isThere(const std::string& model) { return simulation_->world().model(model).has_value(); }
-  /// @return The tiles that exist.
+  /// @return The names of the existing tiles.
   Names tiles() {
     Names names;
     for (const Model& model : simulation_->world().models()) {
@@ -67,7 +67,7 @@ TEST_F(LevelsTest, LoadWhereAPerformerIsAndUnloadWhereNoneIs) {
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1"}));
   put("sphere", kNowhere);
   EXPECT_EQ(tiles(), Names{"tile_0"});
-  // also while paused
+  // levels are updated while paused, too
   place(*simulation_, "sphere", {40, 0, 0});
   simulation_->stepPaused();
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1"}));
@@ -145,7 +145,7 @@ TEST_F(LevelsTest, LetWhatIsSetAsideBeGoneForAllAndComeBackWithItsIds) {
 }
 
 TEST_F(LevelsTest, KeepWhereThingsWerePut) {
-  // Fortress creates them again, at the file's pose
+  // unlike Fortress, which creates the entities again at the pose in the file
   put("sphere", {40, 0, 0});
   place(*simulation_, "tile_1", {41, 1, 2.5});
   put("sphere", kNowhere);
@@ -162,7 +162,7 @@ TEST_F(LevelsTest, KeepTheirNames) {
   const auto inserted = simulation_->insertText(kTile, "t.sdf", {.allowRenaming = true}, none);
   ASSERT_TRUE(inserted);
   EXPECT_EQ(inserted->name(), "tile_1_0");
-  // an inserted model always exists, and stays behind the others
+  // an inserted model is in no level, so it always exists; it comes last in the list
   put("sphere", {40, 0, 0});
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1", "tile_1_0"}));
   put("sphere", kNowhere);
@@ -358,7 +358,7 @@ TEST(Levels, AreLoadedByActors) {
   EXPECT_TRUE(simulation->world().model("tile_1"));
 }
 
-// A wall whose level is far away from it, and a ball that flies there.
+// A wall that is far away from its level, and a ball that flies towards the wall.
 const std::string kWall =
     "<model name='wall'><static>true</static><pose>0 50 0 0 0 0</pose><link name='l'><collision "
     "name='c'><geometry><box>"

@@ -28,7 +28,7 @@ std::string meshOf(const std::string& file, const std::string& attributes = "", 
   return "<mesh" + attributes + "><uri>" + file + "</uri>" + more + "</mesh>";
 }
 
-/// @param com Where the centre of mass lies along z.
+/// @param com z coordinate of the centre of mass.
 std::string model(const std::string& name, const std::string& pose, const std::string& geometry, double mass,
                   double inertia, double com = 0) {
   const std::string moment = std::to_string(inertia);
@@ -90,7 +90,7 @@ TEST_F(MovingMeshesTest, ABowlHoldsABallForTenSeconds) {
   const Vector3 way = place(*simulation, "ball") - place(*simulation, "bowl");
   EXPECT_NEAR(way.norm(), 0.18 - 0.05, 0.008);
   EXPECT_LT(way.head<2>().norm(), 0.04);
-  // contacts have the names in the file
+  // contacts refer to the collision by its name in the file
   std::vector<Contact> contacts;
   simulation->world().contacts(contacts);
   std::set<std::string> names;
@@ -100,7 +100,7 @@ TEST_F(MovingMeshesTest, ABowlHoldsABallForTenSeconds) {
   }
   EXPECT_TRUE(names.contains("bowl::link::skin"));
   EXPECT_LE(names.size(), 3U);
-  // mass and inertia are those of the file
+  // mass and inertia are those of the file, not computed from the mesh
   EXPECT_EQ(simulation->world().model("bowl")->link("link")->mass().mass, 2);
 }
 
@@ -141,7 +141,7 @@ TEST_F(MovingMeshesTest, GiveTheSameBitsColdWarmBrokenReadOnlyAndOnThreads) {
   run(2);
   keepPiecesIn("/proc/nowhere");
   run();
-  // in ~/.cache
+  // the default folder, below ~/.cache
   keepPiecesIn("");
   {
     const test::EnvironmentVariable home("HOME", folder_.path().string());
@@ -190,7 +190,7 @@ TEST_F(MovingMeshesTest, AGripperLiftsAPeg) {
            "</child><axis><xyz>" + axis + "</xyz><limit><effort>" + std::to_string(effort) +
            "</effort></limit></axis></joint>";
   };
-  // the other finger is the same file, mirrored
+  // the other finger has the same mesh, mirrored
   const std::string gripper =
       "<model name='gripper'><pose>0 0 0.05 0 0 0</pose>" + link("palm", "0 0 0.25 0 0 0", "") +
       link("one", "-0.1 0 0 0 0 0", collision("c", meshOf("finger.obj"))) +

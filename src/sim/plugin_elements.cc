@@ -15,7 +15,7 @@ std::string attributeOf(const Element& element, const char* name) {
   return attribute == nullptr ? std::string() : attribute->value;
 }
 
-/// @return The name of a class without its namespaces, of which a library's systems have several each.
+/// @return A class name without namespaces, because libraries register a system under several namespaces.
 std::string_view plainName(std::string_view className) {
   const std::size_t colon = className.rfind(':');
   return colon == std::string_view::npos ? className : className.substr(colon + 1);
@@ -44,7 +44,7 @@ description::Plugin joined(description::Plugin plugin, std::vector<description::
            plainName(each.className) == plainName(plugin.className);
   });
   if (same == more.end()) return plugin;
-  // of elements of one name the first counts
+  // of several child elements of one name the first is used, so those of `more` take precedence
   std::vector<Element>& children = plugin.sdf.children;
   children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
   for (const Element::Attribute& attribute : same->sdf.attributes) {

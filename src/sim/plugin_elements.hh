@@ -7,13 +7,14 @@
 
 namespace pongsim::sim {
 
-/// Fortress's servers add this where a world lists no system of its own.
+/// @return The scene broadcaster, which Fortress's server adds to a world without systems of its own.
 description::Plugin defaultSceneBroadcaster();
 
-/// @return The plugins that these `<plugin>` elements stand for.
+/// @return The plugins described by these `<plugin>` elements.
 std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements);
 
-/// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
+/// @return `plugin` with the parameters that `more` has for the same system, which take precedence; that element is
+/// removed from `more`.
 description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more);
 
 }  // namespace pongsim::sim

@@ -22,7 +22,7 @@ TEST(PluginElements, JoinWhatIsSaidOfOneSystem) {
                                         plugin("pongsim-ros2-system", "pongsim::Ros2", "domain")};
   const description::Plugin found = joined(plugin("pongsim-web-system", "Web", "title"), more);
   ASSERT_EQ(found.sdf.children.size(), 2U);
-  // of elements of one name the first counts, which is what the program says
+  // of several child elements of one name the first is used: the one given by the program
   EXPECT_EQ(found.sdf.children[0].name, "port");
   EXPECT_EQ(found.sdf.children[1].name, "title");
   ASSERT_EQ(more.size(), 1U);

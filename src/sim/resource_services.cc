@@ -37,10 +37,10 @@ ResourceServices::ResourceServices(Simulation& simulation, FolderAdded folderAdd
 ServiceAnswer ResourceServices::add(const Message& request) {
   const std::vector<std::string> folders = msgs::strings(request);
   if (folders.empty()) return ServiceAnswer::refused("the request contains no folder");
-  // all or none
+  // adds all folders or none
   for (const std::string& folder : folders) {
     std::error_code error;
-    // the same whether it is there or not
+    // the same message whether the folder exists or not, so that a request can't probe for it
     if (!std::filesystem::is_directory(folder, error) || !simulation_.isInReach(folder))
       return ServiceAnswer::refused("'" + folder + "' is not a folder in the world's folder or in those of " +
                                     "PONGSIM_RESOURCE_PATH");
@@ -59,7 +59,7 @@ ServiceAnswer ResourceServices::add(const Message& request) {
 ServiceAnswer ResourceServices::resolve(const Message& request, Message& reply) {
   const std::string address = msgs::string(request);
   const std::optional<std::filesystem::path> found = simulation_.resolve(address);
-  // the same whether it is there or not
+  // the same message whether the file exists or not, so that a request can't probe for it
   if (!found || !simulation_.isInReach(*found))
     return ServiceAnswer::refused("there is no '" + address + "' in the folders with models");
   msgs::setString(found->string(), reply);

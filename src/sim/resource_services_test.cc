@@ -51,7 +51,7 @@ class ResourceServicesTest : public testing::Test {
   }
 
   const test::TempFolder models_;
-  // whose folders may be added
+  // its subfolders may be added by requests
   const test::EnvironmentVariable reach_{"PONGSIM_RESOURCE_PATH", models_.path().parent_path().string()};
   std::unique_ptr<Simulation> simulation_;
   std::vector<std::filesystem::path> added_;
@@ -71,7 +71,7 @@ TEST_F(ResourceServicesTest, AddFoldersInWhichModelsAreFoundThen) {
   EXPECT_NE(ask("get", "").find(line), std::string::npos);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find(line), std::string::npos);
-  // once is enough
+  // adding a folder twice has no further effect
   const std::string before = ask("get", "");
   EXPECT_EQ(ask("add", "data: '" + models_.path().string() + "'"), "");
   EXPECT_EQ(ask("get", ""), before);

@@ -37,7 +37,7 @@ std::string listOf(const std::vector<std::string>& topics) {
 
 std::string quotedWorld(Simulation& simulation) { return "world '" + std::string(simulation.world().name()) + "'"; }
 
-/// @param place Of the other one.
+/// @param place Position of the other world in its file.
 void warnOfPair(Simulation& one, Simulation& other, const SourcePosition& place, Diagnostics& diagnostics) {
   const std::map<std::string, TopicUse> ofOne = topicsOf(one);
   std::vector<std::string> both, heardByOther, heardByOne;

@@ -36,7 +36,7 @@ class SharedTopics : public testing::Test {
 
 TEST_F(SharedTopics, AreNoneWhereEachHasItsOwn) {
   const Publisher one = node(0).advertise<Empty>("/a"), two = node(1).advertise<Empty>("/b");
-  // a command that both hear comes from elsewhere
+  // both worlds subscribe, and neither publishes
   const Subscription three = node(0).subscribe<Empty>("/go", [](const Empty&) {});
   const Subscription four = node(1).subscribe<Empty>("/go", [](const Empty&) {});
   EXPECT_EQ(warnings(), Texts{});

@@ -23,10 +23,11 @@ namespace {
 constexpr auto kRequired = plugin::Loader::Need::kRequired;
 constexpr std::string_view kPhysics = "physics";
 constexpr std::string_view kUserCommands = "user-commands";
-/// Number of the first system of the world that a model or an actor has brought, behind those of the world itself.
+/// Lowest `number` of world systems that come from `<plugin>`s of models and actors; those of the world itself are
+/// below.
 constexpr std::size_t kBrought = 1'000'000;
 
-/// @return " (world.sdf:41:9)", or nothing where no file has it.
+/// @return " (world.sdf:41:9)"; empty if it is not from a file.
 std::string inBrackets(const SourcePosition& position) {
   if (!position.file || position.line <= 0) return {};
   return " (" + *position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ")";
@@ -37,12 +38,13 @@ bool environmentAllowsPaths() {
   return value != nullptr && std::string_view(value) == "1";
 }
 
-/// @return Whether the system simulates all sensors of the world. A robot may bring it, since a URDF has no world.
+/// @return Whether it is a system of the world that simulates sensors. Its `<plugin>` may be in a robot, because a URDF
+/// has no world.
 bool isOfSensors(const Declaration& declaration) {
   return declaration.place() == Declaration::Place::kWorld && !declaration.readings().empty();
 }
 
-/// @return The index of the first sensor of the last model.
+/// @return The index of the first sensor of `model`, which is the last one of the world.
 std::size_t firstSensor(const world::Entities& entities, world::Slot model) {
   const std::uint64_t id = entities.models()[model].id.value;
   const std::vector<world::SensorRecord>& all = entities.sensors();
@@ -51,8 +53,8 @@ std::size_t firstSensor(const world::Entities& entities, world::Slot model) {
       all.begin());
 }
 
-/// @param name Of the system, for messages.
-/// @return Its description of itself; nothing, with a warning, if it fails.
+/// @param name The system's name in messages.
+/// @return What the system declares; nothing, with a warning, if it throws.
 std::optional<Declaration> declared(System& system, const std::string& name, const SourcePosition& position,
                                     Diagnostics& diagnostics) {
   std::optional<Declaration> declaration(std::in_place);
@@ -275,7 +277,7 @@ void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnost
   std::vector<const SystemSlot*> named;
   for (const std::string& topic : slot.topics()) {
     for (const SystemSlot* other : publishers_.at(topic)) {
-      // of one kind: what others say on a topic is theirs to know
+      // only for systems of one kind: other subscribers and publishers of a topic may know of each other
       if (other == &slot || other->declaration().text() != slot.declaration().text()) continue;
       if (std::ranges::find(named, other) != named.end()) continue;
       named.push_back(other);
@@ -287,8 +289,8 @@ void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnost
   }
 }
 
-/// @return A system's random stream: what it would be in a file without other worlds in the first one, another one in
-/// each of the others.
+/// @return A system's random stream. In the first world of a file it is the same as in a file with that world only; in
+/// the others it also depends on the world's name.
 Random SystemSet::stream(const std::string& name) const {
   return {seed_, place_.number == 0 ? name : std::string(world_.name()) + ": " + name};
 }
@@ -325,7 +327,7 @@ void SystemSet::end(Predicate predicate) {
 void SystemSet::unload(const std::vector<ModelId>& models) {
   end([&](const SystemSlot& slot) { return std::ranges::binary_search(models, slot.model()); });
   collect();
-  // there is room for them
+  // does not allocate: memory was reserved when the file was loaded
   std::ranges::copy_if(models, std::back_inserter(unloaded_), [this](ModelId model) { return model <= lastOfFile_; });
 }
 
@@ -368,7 +370,7 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   for (SystemSlot& slot : slots_) slot.switchOn(stream(slot.stream()));
   announceChanges();
   for (SystemSlot& slot : slots_) {
-    // once more: who is told of changes may draw numbers
+    // set again, because systems may have drawn numbers in `worldChanged`
     slot.setRandom(stream(slot.stream()));
     slot.reset();
   }
@@ -419,7 +421,7 @@ void SystemSet::addTo(base::Hash& hash) const {
   for (const SystemSlot& slot : slots_) hash.add(slot.stream());
 }
 
-/// As they were loaded at the start: the world's, then each model's, then each actor's, then those that were added.
+/// Sorts the systems as they were loaded at the start: those of the world, of each model, of each actor, added ones.
 void SystemSet::putInOrder() {
   const auto place = [this](const SystemSlot& slot) {
     return std::tuple(slot.isAdded(), slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0,
@@ -428,7 +430,7 @@ void SystemSet::putInOrder() {
   slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }
 
-/// Asks for the memory of those that come soon: what a thousand systems are is not in the nearest caches.
+/// Prefetches the systems that are called soon: a thousand systems do not fit into the nearest caches.
 void SystemSet::lookAhead(std::size_t system) const {
   constexpr std::size_t kFar = 8, kNear = 4, kBytes = 512;
   if (system + kFar < awake_.size()) base::prefetch(*awake_[system + kFar]);
@@ -436,7 +438,7 @@ void SystemSet::lookAhead(std::size_t system) const {
 }
 
 void SystemSet::preUpdate(const StepInfo& info) {
-  // of a message that was handed over before
+  // a system may have failed in a message or request since the last step
   check();
   queue_.carryOut();
   announceChanges();

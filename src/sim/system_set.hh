@@ -30,24 +30,24 @@ class SystemSet {
  public:
   /// All references must outlive this.
   /// @param edits Carries out requests of systems.
-  /// @param strict Whether a failing system ends the step with an exception instead of being switched off.
-  /// @param place Each world of a file has its own random streams; worlds that run at once are named in log messages.
+  /// @param strict Whether a failing system ends the step by an exception, instead of being switched off.
+  /// @param place Each world of a file has its own random streams; log messages name the world if several run at once.
   SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict,
             const WorldPlace& place);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
 
-  /// Makes and configures the world's systems: its own plugins in the order of the file, then each model's. A world
-  /// without systems gets the default ones of Fortress's server. A plugin that is not found, or has invalid parameters,
-  /// is left out with a warning, as in Fortress, and the rest of the world runs. A system of sensors that stands in a
-  /// model, since a URDF has no world, is one of the world, unless the world has it already.
-  /// @param isConfigured A server config file sets the systems: there are no default ones.
-  /// @param options Additional systems, and whether a missing physics system matters.
+  /// Makes and configures the world's systems: plugins of the world in the order of the file, then those of each model.
+  /// A world without systems gets the default ones of Fortress's server. A plugin that is not found, or has invalid
+  /// parameters, is left out with a warning, as in Fortress, and the rest of the world runs. A sensor system whose
+  /// `<plugin>` is in a model, because a URDF has no world, becomes one of the world, unless the world already has it.
+  /// @param isConfigured Whether a server config file sets the systems: then there are no default ones.
+  /// @param options Additional systems, and whether to warn if the physics system is missing.
   void load(const description::World& world, bool isConfigured, const SimulationOptions& options,
             Diagnostics& diagnostics);
 
-  /// Configures a system of the program, after all others.
+  /// Configures a system that the program adds, after all others.
   /// @param name Unique among added systems.
   /// @return Whether it can be used; otherwise `diagnostics` has the reason.
   bool add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
@@ -64,7 +64,7 @@ class SystemSet {
   /// Ends the systems of removed models.
   void unload(const std::vector<ModelId>& models);
 
-  /// Stops calling systems of models that are set aside, and resumes those of returned models.
+  /// Stops calling systems of models and actors that are set aside, and resumes those of returned ones.
   void updateWhoRests();
 
   /// Notifies the systems if the world has changed since the last call.
@@ -78,20 +78,20 @@ class SystemSet {
   /// Notifies the systems that the time was set, by `reset`.
   void jump();
 
-  /// Lets all complete what they write; like `Simulation::finish`.
+  /// Lets all systems complete their files; see `Simulation::finish`.
   Outcome<void> finish();
 
   /// @return The state of each system with its random stream.
   std::vector<std::string> save();
   /// Restores that state.
-  /// @throws std::runtime_error if it is not that of these systems; then some are restored.
-  /// @param awakeOnly Skips systems that are set aside, whose entities do not exist now.
+  /// @throws std::runtime_error if it is not the state of these systems; some may have been restored by then.
+  /// @param awakeOnly Skips systems that are set aside, because their entities do not exist now.
   void restore(const std::vector<std::string>& saved, bool awakeOnly);
 
   /// Adds the list of systems to a hash.
   void addTo(base::Hash& hash) const;
 
-  /// @throws std::runtime_error (likewise below) if the set is strict and a system has failed.
+  /// @throws std::runtime_error if the set is strict and a system has failed. The same below.
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
   void postUpdate(const StepInfo& info);
@@ -100,13 +100,13 @@ class SystemSet {
   void lookAhead(std::size_t system) const;
   void loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
                         Diagnostics& diagnostics);
-  /// Who wrote a `<plugin>`.
+  /// The source of a `<plugin>`.
   struct Origin {
-    /// Whether it may name the path of a library; not if it is from a server.
+    /// Whether it may name a library by its path; not if it is from a server.
     plugin::Loader::Paths paths;
     /// As in `InsertOptions`.
     bool isFromOutside = false;
-    /// Whether whoever started the run asks for it, beside the file.
+    /// Whether the options of the run ask for it, in addition to the file.
     plugin::Loader::Need need = plugin::Loader::Need::kOptional;
   };
   void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
@@ -119,27 +119,28 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
-  /// @return Whether there is a system of the world of this kind.
+  /// @return Whether the world already has such a system.
   bool hasOfWorld(const Declaration& declaration) const;
   /// Warns of plugins that were left out, and of sensors that no system simulates.
-  /// @param sensors Where the new ones begin in the list of all.
+  /// @param sensors Index of the first new sensor.
   void warnOfMissing(std::size_t sensors, Diagnostics& diagnostics);
+  /// Configures a system.
   /// @return Whether it can be used.
   bool start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
              Diagnostics& diagnostics);
   void putInOrder();
   void collect();
-  /// Takes out all that one says yes to.
+  /// Removes all systems for which the predicate is true.
   template <class Predicate>
   void end(Predicate predicate);
   void noteTopic(const SystemSlot& slot, const std::string& topic);
   void forgetTopics(const SystemSlot& slot);
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   Random stream(const std::string& name) const;
-  /// @return Text after a system's name in log messages.
+  /// @return The suffix of system names in log messages, such as " (world b)".
   std::string where() const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
-  /// Ends the step if the set is strict and a system has failed.
+  /// @throws std::runtime_error if the set is strict and a system has failed.
   void check() const;
 
   Access& access_;
@@ -150,31 +151,32 @@ class SystemSet {
   World world_;
   const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;
-  /// Whether plugins of files are loaded, also those of models inserted later, and not only added systems.
+  /// Whether plugins of files are loaded, including those of models inserted later; otherwise there are only added
+  /// systems.
   bool loadsPlugins_ = false;
-  /// For the plugins of the world that the run starts with.
+  /// Whether plugins of the initial world may name libraries by path.
   plugin::Loader::Paths paths_ = plugin::Loader::Paths::kNeedLeave;
-  /// Where files of Fuel servers are.
+  /// Folder of the Fuel cache, whose files are from servers.
   const std::filesystem::path fuelCache_ = assets::Places::fromEnvironment().fuelCache;
-  /// The last file that was asked about, and the answer: a file's plugins come one after the other.
+  /// The last file that was checked, and whether it is from a server: plugins of one file follow each other.
   std::shared_ptr<const std::string> lastFile_;
   bool isLastFromServer_ = false;
-  // The libraries must outlive the systems.
+  // Declared before the systems: the libraries must be closed after the systems have been destroyed.
   plugin::Loader loader_;
-  /// Models of the file whose systems have ended; both return with a reset.
+  /// Removed models of the file, whose systems have ended with them; a reset makes both again.
   std::vector<ModelId> unloaded_;
   ModelId lastOfFile_;
-  /// How many systems of the world came from models and actors.
+  /// Number of world systems that come from models and actors.
   std::size_t brought_ = 0;
   std::optional<std::string> failure_;
   EditQueue queue_;
-  /// By topic, those that advertise it.
+  /// The systems that advertise each topic.
   std::unordered_map<std::string, std::vector<const SystemSlot*>> publishers_;
-  // Contexts point into the slots.
+  // A list, because contexts refer to the slots.
   std::list<SystemSlot> slots_;
-  /// Theirs, in the same order.
+  /// The systems of `slots_`, in the same order.
   std::vector<System*> systems_;
-  /// Those called in a step, in order.
+  /// The slots that are called in a step, in order.
   std::vector<SystemSlot*> awake_;
 };
 

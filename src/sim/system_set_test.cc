@@ -120,7 +120,7 @@ TEST(SystemSet, DoesNotRunWithoutASystemThatTheUserAskedFor) {
 }
 
 /// A model with an IMU.
-/// @param imu Its plugin in the model, or nothing.
+/// @param imu A `<plugin>` for it inside the model, or empty.
 std::string withImu(const std::string& name, const std::string& imu) {
   return "<model name='" + name + "'><static>true</static><link name='l'><sensor name='s' type='imu'><topic>" + name +
          "</topic></sensor></link>" + imu + "</model>";
@@ -140,7 +140,7 @@ class BroughtSystems : public testing::Test {
     said_ = diagnostics.all();
     ASSERT_NE(simulation_, nullptr);
   }
-  /// @return The number of messages of ten steps: the last one arrives in the next step.
+  /// @return The number of messages received in ten steps; that of the last step arrives in the next one.
   int readings(const std::string& topic) {
     int count = 0;
     const Subscription subscription = simulation_->transport().node().subscribe<ignition::msgs::IMU>(
@@ -157,7 +157,7 @@ TEST_F(BroughtSystems, AreOfTheWorldAndThereOnce) {
   load(withImu("a", kImu) + withImu("b", kImu) + withImu("c", ""));
   EXPECT_TRUE(said_.empty());
   for (const char* topic : {"/a", "/b", "/c"}) EXPECT_EQ(readings(topic), 9) << topic;
-  // the world keeps it where the model that brought it is gone
+  // the system belongs to the world, so it stays when the model with its `<plugin>` is removed
   EXPECT_TRUE(simulation_->remove(simulation_->world().model("a").value()));
   EXPECT_EQ(readings("/b"), 9);
   Diagnostics diagnostics;
@@ -211,7 +211,7 @@ TEST(SystemSet, GivesARobotWithoutAWorldWhatItsSensorsNeed) {
   EXPECT_EQ(count, 9);
 }
 
-/// Writes files, as recorders do, and can't complete them.
+/// Writes files, as recorders do, and fails to complete them.
 class Incomplete final : public System {
  public:
   void configure(const SystemContext&) override {}
@@ -224,12 +224,12 @@ TEST(SystemSet, TellsAtTheEndWhoHasNotCompletedItsFiles) {
   const auto simulation = Simulation::fromText(world(""), "world.sdf", {}, diagnostics);
   EXPECT_TRUE(simulation->finish());
   for (const char* name : {"one", "other"}) simulation->addSystem(name, std::make_unique<Incomplete>(), diagnostics);
-  // which switches them off
+  // switches both systems off
   simulation->step(10);
   EXPECT_EQ(simulation->finish().error, "one: a.log is incomplete; other: a.log is incomplete");
 }
 
-// what a world's systems are told of, and with it the systems of its models
+// Notifications of changes to a world's systems, and thereby to the systems of its models.
 class ChangingSystems : public testing::Test {
  protected:
   static constexpr const char* kSpinner = R"(<sdf version="1.9"><model name="spinner">

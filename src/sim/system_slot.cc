@@ -7,7 +7,7 @@ namespace pongsim::sim {
 
 namespace {
 
-/// @return What a `<plugin>` must stand in, where it does not.
+/// @return The element in which the `<plugin>` has to be, if it is not; else null.
 const char* missingPlace(Declaration::Place place, bool isInModel, bool isInActor) {
   if (place == Declaration::Place::kModel && !isInModel) return "a <model>";
   if (place == Declaration::Place::kWorld && (isInModel || isInActor)) return "a <world>";
@@ -61,8 +61,8 @@ bool SystemSlot::start(World& world, const std::optional<Model>& model, const st
   return false;
 }
 
-/// Calls a function of the system on the simulation's thread, maybe within another system's call (or its own): what
-/// that one has commanded is put aside meanwhile.
+/// Calls a function of the system on the simulation's thread, possibly within a call of another system or of the same
+/// one. The first invalid command of the outer call is saved meanwhile.
 template <class Function>
 void SystemSlot::run(const char* phase, const Function& function) {
   if (isOff_ || isResting_) return;
@@ -98,14 +98,14 @@ void SystemSlot::call(Moment moment, void (*function)(void* data), void* data) {
   if (moment == Moment::kDispatch || access_.systemThread == std::this_thread::get_id()) {
     run(kPhase, call);
   } else if (!isOff_ && !isResting_) {
-    // maybe on another thread than the simulation's, beside a system that runs there
+    // possibly on another thread, while the simulation's thread runs a system
     attempt(kPhase, call);
   }
 }
 
 void SystemSlot::failed(const char* phase, const std::exception& error) {
   if (dynamic_cast<const Gone*>(&error) == nullptr) return switchOff(phase, error.what());
-  // it has used a handle to what is gone, for which it can't be blamed
+  // the system has used a handle to a removed entity: no failure of the run, even if it is strict
   isOff_ = true;
   log_.warning(std::string("stops until the next reset: ") + error.what());
 }

@@ -21,8 +21,8 @@
 
 namespace pongsim::sim {
 
-/// A system of a running world, with everything its context refers to. All calls into the system go through here: a
-/// system that throws, or gives an invalid command, is named and switched off.
+/// A system of a running world, and everything to which its context refers. All calls of the system's functions go
+/// through this class: if it throws or gives an invalid command, it is reported by name and switched off.
 class SystemSlot final : public CallGuard {
  public:
   struct Parts {
@@ -30,24 +30,24 @@ class SystemSlot final : public CallGuard {
     ModelId model;
     /// Index of the plugin in the model or world.
     std::size_t number;
-    /// "diff-drive of rover".
+    /// Name in messages: "diff-drive of rover".
     std::string name;
-    /// Its `<plugin>`, which systems may refer to for as long as they live.
+    /// Its `<plugin>`, kept because systems may refer to it while they exist.
     Element plugin;
     Node node;
     Random random;
     std::unique_ptr<System> system;
-    /// Its description of itself, which refers to it.
+    /// What the system declares; refers to the system.
     Declaration declaration = {};
     /// Actor with the `<plugin>`, if any.
     ActorId actor = {};
-    /// Follows its name in log messages: " (world b)", or empty.
+    /// Suffix of its name in log messages: " (world b)", or empty.
     std::string where = {};
     /// Whether the program added it.
     bool isAdded = false;
-    /// Whether it came with a model from outside or a file from a Fuel server.
+    /// Whether it is from a model from outside or a file of a Fuel server.
     bool isFromOutside = false;
-    /// Whether it is a system of the world that an inserted model has brought: a reset ends it.
+    /// Whether it is a world system of an inserted model: a reset removes it.
     bool endsWithReset = false;
   };
   /// Called with the reason each time the system is switched off.
@@ -55,7 +55,7 @@ class SystemSlot final : public CallGuard {
   /// Called with each topic that the system advertises.
   using Advertised = std::function<void(const SystemSlot& slot, const std::string& topic)>;
 
-  /// @param edits Carries out the system's requests; must outlive this, like `access`.
+  /// @param edits Carries out the system's requests. It and `access` must outlive this.
   SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed, Advertised advertised = {});
   ~SystemSlot() override;
 
@@ -69,7 +69,7 @@ class SystemSlot final : public CallGuard {
   /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.plugin.position; }
-  /// @return The name of a system's random stream. The number distinguishes several systems of a kind in one place.
+  /// @return The name of a system's random stream. The number distinguishes systems of one kind with the same parent.
   static std::string streamOf(const std::string& name, std::size_t number) {
     return name + "#" + std::to_string(number);
   }
@@ -86,16 +86,16 @@ class SystemSlot final : public CallGuard {
   /// @return Its advertised topics.
   const std::vector<std::string>& topics() const { return topics_; }
 
-  /// Whether its model is set aside: then it is not called, and receives neither messages nor requests.
+  /// Whether its model or actor is set aside: then it is not called, and receives neither messages nor requests.
   void setResting(bool rests) { isResting_ = rests; }
   bool isResting() const { return isResting_; }
 
-  /// Switches it on again, with random numbers as at the start.
+  /// Switches it on again, with its random stream as at the start.
   void switchOn(Random random);
   /// Sets its random stream.
   void setRandom(Random random) { parts_.random = random; }
 
-  /// Calls a function of the system like its phases.
+  /// Calls a function of the system with the same error handling as its phases.
   void answer(const std::function<void()>& call);
   const Logger& log() const { return log_; }
   /// @return The system's access to topics and services.
@@ -106,9 +106,9 @@ class SystemSlot final : public CallGuard {
   void postUpdate(const StepInfo& info);
   void worldChanged();
   void reset();
-  /// Lets it complete its files, also if it is switched off or set aside.
+  /// Lets the system complete its files, even if it is switched off or set aside.
   Outcome<void> finish();
-  /// Saves or restores its state, with its random stream.
+  /// Saves or restores its state and random stream.
   void transfer(StateArchive& archive);
 
   using CallGuard::call;
@@ -134,7 +134,7 @@ class SystemSlot final : public CallGuard {
   Failed failed_;
   Advertised advertised_;
   std::vector<std::string> topics_;
-  // read by publishers' threads, too, whose messages it hears at once
+  // atomic, because publishers' threads read them for subscriptions that are called at once
   std::atomic<bool> isOff_ = false;
   std::atomic<bool> isResting_ = false;
 };

@@ -19,7 +19,7 @@
 namespace pongsim::sim {
 namespace {
 
-/// Does what a test tells it to.
+/// Runs functions that a test gives it.
 class Obedient : public System {
  public:
   explicit Obedient(std::function<void()> work) : work_(std::move(work)) {}
@@ -74,7 +74,7 @@ TEST_F(SystemSlotTest, CallsASystemThatBehaves) {
   EXPECT_EQ(slot_->topics(), std::vector<std::string>{"/done"});
 }
 
-/// Writes a file.
+/// A system that writes a file.
 class Writer : public System {
  public:
   void declare(Declaration& declaration) override { declaration.usesFiles(); }
@@ -149,7 +149,7 @@ TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsAnythingWhereItGetsAMessage) {
                        "obedient failed in a message or request: it threw something other than a std::exception"});
 }
 
-/// One that hears at once what another one publishes in its turn.
+/// A system with an immediate subscription to a topic on which another system publishes in its update.
 class SystemSlotAtOnce : public SystemSlotTest {
  protected:
   void startBoth(const std::function<void()>& hear) {
@@ -188,7 +188,7 @@ TEST_F(SystemSlotAtOnce, IsNotCalledWhenItIsSwitchedOffOrRests) {
   hearing().setResting(true);
   publishing().preUpdate({});
   EXPECT_EQ(heard_, 1);
-  // nor on another thread's behalf, outside of a turn
+  // nor if another thread publishes, outside of any system's call
   publisher_.publish(*newMessage("ignition.msgs.Empty"));
   EXPECT_EQ(heard_, 1);
 }

@@ -18,8 +18,8 @@
 
 namespace pongsim::sim {
 
-/// Largest magnitude of commands: far beyond any reasonable command, and about the limit of what physics can compute.
-/// Forces [N, N m], and velocities [m/s, rad/s].
+/// Largest magnitudes of commands: far beyond reasonable ones, and about the limit of what physics can compute. Forces
+/// [N, N m], velocities [m/s, rad/s].
 inline constexpr double kMostForce = 1e10;
 inline constexpr const char* kMostForceText = "1e10 N or N m";
 inline constexpr double kMostVelocity = 1e8;
@@ -30,14 +30,14 @@ inline bool isWithin(const Vector3& values, double most) {
   return std::abs(values.x()) <= most && std::abs(values.y()) <= most && std::abs(values.z()) <= most;
 }
 
-/// @return The same for both together, with fewer comparisons.
+/// @return `isWithin` for both vectors, with fewer comparisons.
 inline bool areWithin(const Vector3& a, const Vector3& b, double most) {
   // |a|, |b| <= sqrt(|a|^2 + |b|^2), in one comparison, which NaN fails
   return a.squaredNorm() + b.squaredNorm() <= most * most || (isWithin(a, most) && isWithin(b, most));
 }
 
-/// A running world: who is in it, where everything is, what moves it, and which levels are loaded. The handles
-/// (`World`, `Model`, `Link`, `Joint`) read and change it. Several of these change together: by `Editor`.
+/// A running world: its entities, their state, the physics engine, and the loaded levels. The handles (`World`,
+/// `Model`, `Link`, `Joint`) read and change it. Changes that concern several of these members are made by `Editor`.
 class Access {
  public:
   /// @param description Must outlive this.
@@ -65,13 +65,13 @@ class Access {
   }
   /// Models or joints were added or removed, and the systems have not been notified.
   bool hasChanged = false;
-  /// Number of such changes.
+  /// Number of such changes since the start.
   std::uint64_t changes = 0;
   void noteChange() {
     hasChanged = true;
     ++changes;
   }
-  /// Of each name, how many of name_0, name_1 and so on are known to be taken, until something is removed.
+  /// For each name N, the number of names N_0, N_1, ... known to be taken; valid until an entity is removed.
   struct TakenNames {
     std::uint64_t removals = 0;
     std::unordered_map<std::string, int> counts = {};

@@ -14,7 +14,7 @@ namespace {
 
 class BackgroundCallsTest : public testing::Test {
  protected:
-  /// Has "/echo" called.
+  /// Posts a call of the service "/echo".
   void post(const std::string& text, BackgroundCalls& calls) {
     MessagePointer request = newMessage("StringMsg");
     ASSERT_FALSE(parseMessage("data: '" + text + "'", *request));
@@ -71,7 +71,7 @@ TEST_F(BackgroundCallsTest, AreRefusedWhereTooManyWait) {
   {
     BackgroundCalls calls(transport_.node(), log_, 2);
     const Service service = serve();
-    // nobody dispatches: one is being made, or is not yet, and two may wait
+    // without dispatch no call ends: at most one is in progress and two are queued
     int posted = 0;
     for (int i = 0; i < 10; ++i) {
       posted += calls.post({.service = "/echo",

@@ -13,7 +13,7 @@ namespace {
 
 using test::RunningWorld;
 
-/// Two models "m" and "n", each with a wheel on a joint "j".
+/// Two models, "m" and "n", each with a wheel on a joint "j".
 std::string twoWheels() {
   std::string models = "<gravity>0 0 0</gravity>";
   for (const char* name : {"m", "n"}) {

@@ -27,10 +27,10 @@ const world::ModelRecord& record(const sim::Access& access, ModelId id) {
   return access.entities.models()[slotOf(access, id)];
 }
 
-/// @return Whether the joint can take `value` for the axis; else it has warned.
-/// @param most How large it may be, either way.
+/// Checks a command to an axis of a joint, and reports an invalid one.
+/// @param most Largest magnitude.
 bool canCommand(sim::Access& access, const Joint& joint, double value, int axis, double most, const char* limits) {
-  // the engine's joint is what the command goes to, and its description may be in no cache
+  // asks the engine, whose joint gets the command anyway: the joint's description may be in no cache
   if (axis < 0 || !access.engine.hasAxis(slotOf(access, joint.id()), static_cast<std::size_t>(axis))) {
     access.refuse("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis) + " to command");
     return false;
@@ -253,7 +253,7 @@ void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
 }
 
 void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular) {
-  // by slots, for lists of handles would be allocated in each step
+  // by slots: lists of handles would be allocated in each step
   const world::ModelRecord& model = record(*access_, id_);
   for (const world::Slot slot : model.links) {
     Link link(*access_, access_->entities.links()[slot].id);
@@ -371,7 +371,7 @@ std::vector<WorldFrame> World::frames() const {
       continue;
     }
     const world::Slot link = entities.findLink(frame.attachedLink);
-    // another model of that name is not what the file means
+    // an inserted model of that name is not the one to which the file attaches the frame
     if (link == world::kNoSlot || Model(*access_, entities.models()[entities.links()[link].model].id).isInserted()) {
       continue;
     }
@@ -407,7 +407,7 @@ Outcome<void> World::setPlace(const GeodeticPosition& origin, double heading) {
 Vector3 World::wind() const { return access_->state.wind; }
 
 Outcome<void> World::setWind(const Vector3& wind) {
-  // squares of what is finite need not be
+  // stableNorm, because the squares of finite components can overflow
   if (!wind.allFinite() || !(wind.stableNorm() <= kFastestWind)) {
     return {"the wind can't be faster than " + std::to_string(static_cast<int>(kFastestWind)) + " m/s"};
   }

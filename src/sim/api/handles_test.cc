@@ -143,7 +143,7 @@ TEST_F(HandlesTest, LetGoOfAVelocityTarget) {
   EXPECT_NEAR(elbow.velocity(), 0, 1e-6);
   elbow.clearVelocityTarget();
   push();
-  // 1 N m for 0.1 s between two links of 1 kg m^2
+  // d_omega = torque * time / inertia = 1 N m * 0.1 s / (1 kg m^2) for each of the two links, in opposite directions
   EXPECT_NEAR(elbow.velocity(), 0.2, 0.01);
 }
 
@@ -180,7 +180,7 @@ TEST_F(HandlesTest, TellWhereTheFramesOfTheWorldAre) {
   EXPECT_TRUE(frames[1].pose.position.isApprox(Vector3(0, 0, 6)));
   EXPECT_NEAR(yawOf(frames[1].pose.rotation), 1, 1e-12);
 
-  // another model of that name is not what the frame is attached to
+  // an inserted model of that name is not the one to which the frame is attached
   EXPECT_TRUE(simulation_->remove(arm()));
   EXPECT_EQ(world().frames().size(), 1U);
   Diagnostics diagnostics;

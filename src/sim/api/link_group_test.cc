@@ -14,7 +14,7 @@ namespace {
 
 using test::RunningWorld;
 
-/// Three bodies of 2 kg without gravity, "b" with its centre of mass off the link frame.
+/// Three bodies of 2 kg without gravity; the centre of mass of "b" is not at its link's origin.
 std::string threeBodies() {
   std::string models = "<gravity>0 0 0</gravity>";
   for (const std::string name : {"a", "b", "c"}) {

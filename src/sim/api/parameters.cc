@@ -38,7 +38,7 @@ double notNegativeIn(const Element& element, std::string_view name) {
 
 NoiseSettings::Type noiseTypeOf(const Element& noise) {
   using Type = NoiseSettings::Type;
-  // SDF 1.6 and older have it as an element
+  // in SDF 1.6 and older the type is an element
   const std::string type = noise.attributeOr("type", noise.get<std::string>("type", "none"));
   if (type == "none") return Type::kNone;
   if (type == "gaussian") return Type::kGaussian;

@@ -22,7 +22,7 @@ Element elementWith(const std::string& child, const std::string& text) {
   return element;
 }
 
-/// @return What is said in refusal; empty where nothing is.
+/// @return The error message; empty if there is none.
 std::string refusalOf(const std::function<void()>& read) {
   try {
     read();

@@ -13,7 +13,7 @@ const world::CollisionRecord& record(const sim::Access& access, CollisionId id) 
   return access.entities.collisions()[slotOf(access, id)];
 }
 
-/// @return The how manieth collision of its link it is.
+/// @return The collision's index among those of its link.
 std::size_t numberInLink(const sim::Access& access, CollisionId id) {
   const world::Slot slot = slotOf(access, id);
   return slot - access.entities.links()[access.entities.collisions()[slot].link].firstCollision;

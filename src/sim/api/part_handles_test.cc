@@ -70,7 +70,7 @@ TEST_F(PartHandlesTest, TellWhereAJointIsInBothOfItsLinks) {
   const Joint shaft = outer().joint("shaft").value(), hinge = outer().joint("inner::hinge").value();
   EXPECT_EQ(shaft.poseInChild().position, Vector3(0, 0, 1));
   EXPECT_EQ(shaft.poseInParent().position, Vector3(0, 0, 2));
-  // which is the world
+  // its parent is the world
   EXPECT_EQ(hinge.poseInParent().position, Vector3(1, 2, 4));
   EXPECT_EQ(hinge.friction(), 6);
   EXPECT_EQ(shaft.friction(), 0);
@@ -118,7 +118,7 @@ TEST_F(PartHandlesTest, LetASurfaceRunAlongAndSlip) {
   for (const double bad : {-1.0, double{NAN}, double{INFINITY}}) skin.setSlip(bad, 0);
   EXPECT_EQ(skin.slip(), std::pair(0.25, 0.5));
 
-  // saved, and gone after a reset
+  // the state is saved, and discarded by a reset
   const std::vector<std::byte> state = simulation_->saveState();
   Diagnostics diagnostics;
   simulation_->reset(diagnostics);
@@ -175,7 +175,7 @@ TEST_F(PartHandlesTest, TellOfAJointAndItsAxis) {
   EXPECT_EQ(outer().joint("shaft")->poseInChild().position, Vector3(0, 0, 1));
 }
 
-// a motor that speeds a rotor up: what it does to it, and the rotor's weight
+// The reaction is the wrench on the child: the support of its weight, m g, and the motor's torque, I dw/dt.
 TEST(JointReaction, IsWhatTheJointDoesToItsChild) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="w"><model name="m">
@@ -194,7 +194,7 @@ TEST(JointReaction, IsWhatTheJointDoesToItsChild) {
   EXPECT_NEAR(axle.reaction().torque.norm(), 0, 1e-3);
   axle.setVelocityTarget(axle.velocity() + 0.001);
   simulation->step();
-  // 0.1 kg m^2 by a thousandth of a radian a second in a thousandth of a second
+  // I dw/dt = 0.1 kg m^2 * 0.001 rad/s / 0.001 s
   EXPECT_NEAR((axle.reaction().torque - Vector3(0, 0, 0.1)).norm(), 0, 1e-3);
 }
 
@@ -213,7 +213,7 @@ TEST_F(PartHandlesTest, RefuseAVelocityThatIsNotFinite) {
   EXPECT_EQ(base().linearVelocity(), Vector3::Zero());
 }
 
-// the whole moves as one body, and what the joints do stays as it is
+// The model moves as a rigid body; the joints keep their relative velocities.
 TEST(ModelVelocity, LeavesTheJointsTheirs) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>

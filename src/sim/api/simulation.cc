@@ -39,7 +39,7 @@ namespace pongsim {
 
 namespace {
 
-/// @param profile Of the world, which chooses between the solvers as Fortress's engine understands it.
+/// @param profile The world's, which chooses the solver, as in Fortress with DART.
 physics::Settings settingsFor(const description::PhysicsProfile& profile, const SimulationOptions& options) {
   physics::Settings settings;
   settings.threads = std::max(options.threads, 1);
@@ -74,7 +74,7 @@ struct Simulation::Parts {
     return sharesTransport ? ownTransport.emplace(*options.transport, Transport::Sharing()) : *options.transport;
   }
 
-  /// Loads and unloads levels. The systems are told when they are called next.
+  /// Loads and unloads levels. The systems are notified at their next call.
   void updateLevels() {
     const std::uint64_t before = access.changes;
     access.levels.update();
@@ -89,13 +89,13 @@ struct Simulation::Parts {
   }
 
   const description::World description;
-  /// Where files that inserted models name are looked for.
+  /// Where files of inserted models are searched.
   assets::Places places = assets::Places::fromEnvironment();
   sim::Access access;
   sim::ModelEdits edits;
   std::optional<Transport> ownTransport;
   Transport& transport;
-  /// None but added ones where the options want none.
+  /// The systems; only added ones if the options ask for no systems of the file.
   sim::SystemSet systems;
   struct Offers {
     explicit Offers(Simulation& simulation) : edits(simulation), resources(simulation, [](const auto&) {}) {}
@@ -105,9 +105,9 @@ struct Simulation::Parts {
   };
   std::optional<Offers> offers;
   const bool wantsPhysics;
-  /// Links of which it was said that they turn too fast.
+  /// Links whose excessive angular velocity has been reported.
   std::set<LinkId> slowedDown;
-  /// Whether it was said that too many links overlap.
+  /// Whether an excessive number of overlapping links has been reported.
   bool isCrowded = false;
 };
 
@@ -160,7 +160,7 @@ std::vector<std::unique_ptr<Simulation>> Simulation::allFromFile(const std::file
   }
   bool isComplete = true;
   for (std::size_t i = 0; i < root.worlds.size(); ++i) {
-    // all are tried, so that all that is wrong is said
+    // all worlds are read, to report the errors of all
     positions.push_back(root.worlds[i].position);
     Diagnostics found;
     all.push_back(Parts::make(std::move(root.worlds[i]), {i, isOne}, !isOne, ofWorlds, found));

@@ -122,7 +122,7 @@ TEST(Simulation, IsTheWorldOfTheFileThatIsAskedFor) {
             "two.sdf:1:20: error: there is no world 'three' in this file\n  hint: it has 'one', 'two'");
 }
 
-/// Worlds with an IMU that makes noise.
+/// Two worlds, each with an IMU that has noise.
 class AllWorlds : public testing::Test {
  protected:
   static std::string world(const std::string& name) {
@@ -139,7 +139,7 @@ class AllWorlds : public testing::Test {
   std::filesystem::path file() const {
     return folder_.write("worlds.sdf", "<sdf version='1.9'>" + world("a") + world("b") + "</sdf>");
   }
-  /// @return What the IMU says after a step.
+  /// @return The IMU's measurement after one step.
   static double reading(Simulation& simulation) {
     double x = 0;
     const Subscription subscription = simulation.transport().node().subscribe<ignition::msgs::IMU>(
@@ -163,7 +163,7 @@ TEST_F(AllWorlds, HaveAShareInTheTransportAndRandomNumbersOfTheirOwn) {
   EXPECT_NE(&all[0]->transport(), &all[1]->transport());
   const double ofA = reading(*all[0]), ofB = reading(*all[1]);
   EXPECT_NE(ofA, ofB);
-  // and the same as without the other one, from the start and after a reset
+  // the second world's noise does not depend on the first world, at the start or after a reset
   const auto alone = load(file().string(), {.seed = 3, .world = "b"});
   EXPECT_EQ(reading(*alone), ofB);
   all[1]->reset(diagnostics);
@@ -187,7 +187,7 @@ TEST_F(AllWorlds, DoNotTakeEachOthersState) {
 }
 
 TEST(Simulation, TakesItsSolverFromTheWorld) {
-  // a box that slides to a halt, which iterations and the direct method see differently in the last bits
+  // A box slides to rest; the iterative and the direct solver differ in the last bits.
   const auto hashWith = [](const std::string& solver) {
     Diagnostics diagnostics;
     const auto simulation = Simulation::fromText(
@@ -208,7 +208,7 @@ TEST(Simulation, TakesItsSolverFromTheWorld) {
   EXPECT_EQ(hashWith("dantsig"), hashWith("dantzig"));
 }
 
-/// A `<plugin>` of the scene broadcaster, which publishes poses so often a second.
+/// A `<plugin>` for the scene broadcaster with this rate of poses [Hz].
 Element sceneBroadcaster(const std::string& poseHertz) {
   Element plugin, hertz;
   plugin.name = "plugin";
@@ -225,7 +225,7 @@ constexpr const char* kFallingBox =
     "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>@"
     "<model name='m'><link name='l'/></model></world></sdf>";
 
-/// @return How many poses a simulated second has, in a world with more plugins and with systems that are given.
+/// @return The number of pose messages per simulated second, with `<plugin>`s in the world and given systems.
 int posesOfASecond(const std::string& plugins, const std::vector<Element>& systems) {
   std::string text = kFallingBox;
   text.replace(text.find('@'), 1, plugins);

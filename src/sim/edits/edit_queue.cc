@@ -51,8 +51,8 @@ void EditQueue::insertFirst() {
   }
 }
 
-// All removals up to the next insertion at once: each one alone would move up all entities behind it. Requests of a
-// system that goes with one of these models are left, to be forgotten.
+// Carries out all removals up to the next insertion together: each removal moves all entities behind the removed ones.
+// Stops before a request of a system whose model is being removed; `forget` discards it.
 void EditQueue::removeFirst(std::uint64_t end) {
   std::vector<Outcome<void>> outcomes;
   std::vector<ModelId> models;
@@ -68,7 +68,7 @@ void EditQueue::removeFirst(std::uint64_t end) {
   }
   edits_.remove(std::vector<ModelId>(gone.begin(), gone.end()));
   for (std::size_t i = 0; i < current_.size(); ++i) {
-    // an answer may remove systems, and with them owners of what follows
+    // the callback may remove systems, among them owners of later requests
     const Request& request = current_[i];
     if (request.owner == nullptr) continue;
     const auto& removed = std::get<RemovalOf>(request.what).removed;

@@ -121,7 +121,7 @@ ServiceAnswer EditServices::create(const Message& request) {
   return answerFor(insert(msgs::entityFactory(request), inserted));
 }
 
-// All or none: who asked would not know which ones are there.
+// Inserts all or none, because a client could not tell which ones had been inserted.
 ServiceAnswer EditServices::createMultiple(const Message& request) {
   Inserted inserted;
   for (const msgs::EntityFactory& asked : msgs::entityFactories(request)) {
@@ -170,7 +170,7 @@ ServiceAnswer EditServices::setPose(const Message& request) {
   return answerFor(model->setPose(asked.pose));
 }
 
-// All or none, as far as it can be known before: that each is there.
+// Sets all poses or none as far as that can be checked before: each model must exist.
 ServiceAnswer EditServices::setPoses(const Message& request) {
   const std::vector<msgs::PoseOfEntity> asked = msgs::posesOfEntities(request);
   std::vector<Model> models;
@@ -186,7 +186,7 @@ ServiceAnswer EditServices::setPoses(const Message& request) {
   return true;
 }
 
-/// Says where the world is, or puts a model somewhere, turned as it was.
+/// Sets the geographic position of the world's origin, or moves a model to one and keeps its orientation.
 ServiceAnswer EditServices::setPlace(const Message& request) {
   const auto [entity, place] = msgs::placeOfEntity(request);
   if (!entity) return answerFor(simulation_.world().setPlace(place.position, place.heading));
@@ -213,7 +213,7 @@ ServiceAnswer EditServices::setPhysics(const Message& request) {
   const Time oldStep = simulation_.stepSize();
   const double oldFactor = simulation_.realTimeFactor();
   Outcome<void> done;
-  // looked at before it becomes a time, which it may not fit
+  // checked in seconds first, because the value may not fit `Time`
   const double longest = toSeconds(Simulation::kLongestStep);
   if (!(asked.stepSize >= 0 && asked.stepSize <= longest)) done = {"max_step_size is not between 0 and 1 s"};
   if (done && asked.stepSize != 0) done = simulation_.setStepSize(fromSeconds(asked.stepSize));
@@ -243,7 +243,7 @@ Outcome<msgs::EntityName> EditServices::findLinkOrModel(const msgs::EntityName& 
   return {std::nullopt, "there is no model '" + asked.name + "', and no link of that name (it is 'MODEL::LINK')"};
 }
 
-/// Passes it on to the systems that let wheels slip, which take it up at the next step.
+/// Publishes the request for the wheel-slip systems, which apply it in the next step.
 ServiceAnswer EditServices::setWheelSlip(const Message& request) {
   msgs::WheelSlip asked = msgs::wheelSlip(request);
   Outcome<msgs::EntityName> entity = findLinkOrModel(asked.entity);
@@ -252,7 +252,7 @@ ServiceAnswer EditServices::setWheelSlip(const Message& request) {
   if (!isSound(asked.lateral) || !isSound(asked.longitudinal)) {
     return ServiceAnswer::refused("slip compliances must be finite and zero or more");
   }
-  // on a topic that is there from the first request on only, for Fortress has none
+  // the topic exists only from the first request on, because Fortress has no such topic
   if (!wheelSlips_) {
     wheelSlips_ =
         simulation_.transport().node().advertise(nameOf("wheel_slip"), "ignition.msgs.WheelSlipParametersCmd");

@@ -38,13 +38,13 @@ class EditServices {
   ServiceAnswer setPhysics(const Message& request);
   ServiceAnswer setWheelSlip(const Message& request);
 
-  /// What a request has inserted, to be undone if the rest of it fails.
+  /// What a request has inserted so far, removed again if the rest of it fails.
   struct Inserted {
     std::vector<Model> models;
     std::vector<std::string> lights;
   };
   Outcome<void> insert(const msgs::EntityFactory& asked, Inserted& inserted);
-  /// From text or a file.
+  /// Inserts a model or light from text or a file.
   Outcome<void> insertModelOrLight(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);
   Outcome<void> insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);
   Outcome<void> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options, Inserted& inserted);

@@ -38,7 +38,7 @@ class EditServicesTest : public testing::Test {
     services_ = std::make_unique<EditServices>(*simulation_);
   }
 
-  /// @return Why the service refused; empty where it did it.
+  /// @return Why the service refused the request; empty if it carried it out.
   std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
     const MessagePointer request = newMessage(type);
     EXPECT_FALSE(parseMessage(text, *request)) << text;
@@ -136,7 +136,7 @@ TEST_F(EditServicesTest, CreateFilesOfTheWorldsFolderOnly) {
   EXPECT_NE(create("sdf_filename: '" + (world.path() / "m").string() + "'"), "");
   EXPECT_EQ(simulation_->world().models().size(), 0U);
   EXPECT_EQ(create("sdf_filename: '" + world.write("crate.sdf", crate).string() + "'"), "");
-  // the program itself may
+  // the restriction is for requests, not for the program
   EXPECT_TRUE(simulation_->insertFile(outside.path() / "crate.sdf", {.name = "other"}, diagnostics));
 }
 
@@ -358,7 +358,7 @@ TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
     const MessagePointer request = newMessage(endpoint.type);
     const MessagePointer reply = newMessage(endpoint.replyType);
     const CallOutcome outcome = test::askService(simulation_->transport(), name, *request, *reply).outcome;
-    // an empty request is understood, whether it can be met or not
+    // an empty request can be parsed, whether it is carried out or refused
     EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
   }
   EXPECT_EQ(services, 10);

@@ -28,7 +28,7 @@ std::string Editor::freeName(const std::string& name) const {
   if (access_.takenNames.removals != access_.entities.removals()) {
     access_.takenNames = {.removals = access_.entities.removals(), .counts = {}};
   }
-  // whoever inserts thousands of copies does not try all names each time
+  // remembers where to continue, so that inserting n copies takes O(n) attempts
   int& number = access_.takenNames.counts[name];
   std::string free;
   for (;; ++number) {
@@ -49,7 +49,7 @@ world::Slot Editor::insertAllOrNothing(Insert insert) {
   try {
     const world::Slot slot = insert();
     access_.state.grow(access_.entities);
-    // undoes its own part where it fails
+    // undoes its own changes if it fails
     access_.engine.grow();
     noteChange();
     return slot;
@@ -66,7 +66,7 @@ world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
 
 std::vector<ModelId> Editor::remove(const std::vector<world::Slot>& models) {
   world::Removal removal = access_.entities.removeModels(models);
-  // from here on nothing allocates
+  // nothing below allocates, so the removal can't fail halfway
   access_.engine.remove(removal);
   access_.state.remove(removal);
   noteChange();
@@ -171,7 +171,7 @@ void Editor::setAside(const std::vector<std::uint64_t>& ids) {
 
 void Editor::reset() {
   access_.entities.reset();
-  // the systems stay, and with them the batteries of the models that are there
+  // systems are not made again, so batteries that they have added stay, if their models exist
   std::vector<world::BatteryState> batteries = std::move(access_.state.batteries);
   std::erase_if(batteries, [this](const world::BatteryState& battery) {
     return access_.entities.slot(battery.model) == world::kNoSlot;

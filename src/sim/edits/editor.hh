@@ -14,7 +14,7 @@
 
 namespace pongsim::sim {
 
-/// Changes entities, state and engine of a world together, between two steps. A refused change has no effect.
+/// Changes a world's entities, state and engine consistently, between two steps. A refused change has no effect.
 class Editor {
  public:
   explicit Editor(Access& access) : access_(access) {}
@@ -39,7 +39,7 @@ class Editor {
   /// Moves links like a rigid body, ignoring joints.
   void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
 
-  /// Connects two links at their current poses with a fixed joint that belongs to the world.
+  /// Connects two links by a fixed joint that belongs to the world, and keeps their current poses.
   /// @param name Empty: chosen automatically.
   world::Slot attach(world::Slot parent, world::Slot child, std::string name);
   void detach(world::Slot joint);
@@ -49,27 +49,27 @@ class Editor {
 
   void setGravity(const Vector3& gravity);
 
-  /// Sets entities aside and returns all others, as `Entities::setAside`.
+  /// Sets the entities with these ids aside, and returns all others to the world; see `Entities::setAside`.
   void setAside(const std::vector<std::uint64_t>& ids);
 
   /// Resets to the start.
   void reset();
 
-  /// Removes the commands to joints of models whose batteries are empty.
+  /// Cancels the commands to joints of models whose batteries are empty.
   void cutPower();
 
  private:
   /// @return A joint that connects some of these links, in ascending order, to another link; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
-  /// Call it after each change of what there is.
+  /// To be called after each change of the entities.
   void noteChange();
-  /// Adds to the entities what `insert` adds, and then to state and engine.
+  /// Calls `insert`, which adds to the entities, and then extends state and engine. If anything throws, all is undone.
   template <class Insert>
   world::Slot insertAllOrNothing(Insert insert);
   Access& access_;
 };
 
-/// @return What is wrong with a pose that somebody asks for, behind its name: "is not finite", or nullptr.
+/// @return What is wrong with a requested pose, to follow its name: "is not finite"; null if it is valid.
 const char* poseFault(const Pose& pose);
 
 }  // namespace pongsim::sim

@@ -1,4 +1,4 @@
-// What an edit leaves behind if an allocation fails: all of it or nothing, and arrays of equal lengths.
+// An edit in which an allocation fails takes effect completely or not at all, and leaves arrays of equal lengths.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 
 namespace {
 
-// Counts this thread's allocations down to the one that fails.
+// Number of this thread's allocations until one fails.
 thread_local long untilFailure = 0;
 
 void* failing(std::size_t size) noexcept {
@@ -88,8 +88,9 @@ std::shared_ptr<const description::Model> robot() {
 
 class EditorMemoryTest : public testing::Test {
  protected:
-  /// Makes an edit in two worlds: in one, each of its allocations fails first in turn, with steps between.
-  /// @param prepare What is done in both before.
+  /// Makes an edit in two worlds. In one of them the edit is first tried with its first, second, ... allocation
+  /// failing, with steps in between; the states must be equal afterwards.
+  /// @param prepare Applied to both worlds before.
   void expectAllOrNothing(
       const std::function<void(Running&)>& edit, const std::function<void(Running&)>& prepare = [](Running&) {}) {
     Running failing, untouched;

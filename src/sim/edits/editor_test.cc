@@ -1,4 +1,4 @@
-// Changes of the world between steps, by handles and by the simulation.
+// Changes of a world between steps, by the handles and by `Simulation`.
 
 #include <gtest/gtest.h>
 
@@ -227,7 +227,7 @@ TEST_F(ChangedWorld, FallsAsGravitySays) {
   EXPECT_NEAR(model("ball").link("skin")->linearVelocity().z(), 0.2, 1e-9);
   EXPECT_EQ(world().setGravity({0, 0, std::numeric_limits<double>::infinity()}).error, "gravity is not finite");
   EXPECT_EQ(world().setGravity({0, 0, 1e308}).error, "gravity is beyond 1e6 m/s^2");
-  // what comes later falls alike
+  // gravity also applies to models that are inserted later
   EXPECT_TRUE(insert(kBoxModel));
   simulation_->step();
   EXPECT_NEAR(model("box").link("body")->linearVelocity().z(), 0.002, 1e-9);

@@ -40,8 +40,8 @@ Outcome<world::Slot> findLight(const Access& access, const msgs::LightName& aske
   return {std::nullopt, "there is no light '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest)};
 }
 
-/// Makes the direction a unit vector.
-/// @return Why there can be no such light, or nothing.
+/// Normalizes the light's direction.
+/// @return Why the light is invalid, or success.
 Outcome<void> checkLight(description::Light& light) {
   const double length = light.direction.norm();
   if (!std::isfinite(length) || length < 1e-9) return {"the light's direction is not finite, or zero"};

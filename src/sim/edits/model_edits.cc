@@ -16,7 +16,7 @@ namespace pongsim::sim {
 
 namespace {
 
-/// @return The first model that was read, with warnings of what is left out; null where there was an error.
+/// @return The first model in the file, with warnings about its unsupported elements; null on errors.
 std::shared_ptr<description::Model> firstModel(sdf::Root root, Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
   if (diagnostics.hasErrors()) return nullptr;
@@ -58,7 +58,7 @@ std::optional<std::filesystem::path> ModelEdits::modelFile(const std::filesystem
     return !isFromOutside || (std::filesystem::exists(each, ignored) && isInReach(each));
   };
   const auto refuse = [&](const std::filesystem::path& each) {
-    // the same whether it is there or not
+    // the same message whether the file exists or not, so that a request can't probe for files
     diagnostics.error({}, "'" + each.string() + "' is not found",
                       "requests find only files in the world's folder, in those of PONGSIM_RESOURCE_PATH and in the "
                       "Fuel cache");
@@ -75,7 +75,7 @@ std::optional<std::filesystem::path> ModelEdits::modelFile(const std::filesystem
   return named;
 }
 
-// Each looks at mistakes of its own: what was wrong before is no reason not to insert.
+// Each function judges only the diagnostics of its own reading: earlier errors do not prevent an insertion.
 
 std::optional<Model> ModelEdits::insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                             Diagnostics& diagnostics) {

@@ -19,12 +19,12 @@ namespace pongsim::sim {
 
 class SystemSet;
 
-/// Inserts and removes models with their systems, and inserts lights of files, between two steps. A refused change has
-/// no effect.
+/// Inserts and removes models with their systems, and inserts lights from files, between two steps. A refused change
+/// has no effect.
 class ModelEdits {
  public:
-  /// @param places Where models' files are searched. Both must outlive this.
-  /// @param worldFile Models from outside may read files in its folder. Empty: the world has none.
+  /// @param places Where models' files are searched. Both references must outlive this.
+  /// @param worldFile Models from outside may read files in its folder. Empty: the world has no file.
   ModelEdits(Access& access, const assets::Places& places, const std::filesystem::path& worldFile);
 
   /// Sets the systems, which are then added and removed with their models. They must outlive this.
@@ -34,7 +34,7 @@ class ModelEdits {
                                   Diagnostics& diagnostics);
   std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                   Diagnostics& diagnostics);
-  /// Like the two above; the file or text may have a light instead of a model.
+  /// Like the two functions above; the file or text may contain a light instead of a model.
   std::optional<ModelOrLight> insertModelOrLight(const std::filesystem::path& file, const InsertOptions& options,
                                                  Diagnostics& diagnostics);
   std::optional<ModelOrLight> insertModelOrLight(std::string_view text, std::string_view name,
@@ -44,17 +44,17 @@ class ModelEdits {
   std::optional<Model> insert(const description::Model& model, const InsertOptions& options, Diagnostics& diagnostics);
 
   static constexpr std::string_view kNoLongerThere = "the model no longer exists";
-  /// @return The model that it is part of, or itself; 0 if there is none.
+  /// @return The top-level model that contains the model, or is it; 0 if the model does not exist.
   ModelId topLevel(ModelId model) const;
   /// @return Whether the model can be removed.
   Outcome<void> mayRemove(ModelId model) const;
-  /// Removes all of the models or, if one can't be removed, none.
+  /// Removes all of the models, or none if one of them can't be removed.
   Outcome<void> remove(std::span<const ModelId> models);
 
   /// @return The first model of an `<sdf>` element; null on errors.
   std::shared_ptr<const description::Model> read(const Element& sdf, bool isFromOutside,
                                                  Diagnostics& diagnostics) const;
-  /// Likewise of a file or text from outside.
+  /// The same for a file or text from outside.
   std::shared_ptr<const description::Model> readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
   std::shared_ptr<const description::Model> readText(std::string_view text, std::string_view name,
                                                      Diagnostics& diagnostics) const;
@@ -66,14 +66,14 @@ class ModelEdits {
 
  private:
   assets::Finder finder(bool isFromOutside) const;
-  /// @return The file that a model's folder names; what is no folder as it is. Nothing, and an error, where there is
-  /// none.
+  /// @return The SDF file that a model folder's model.config names; `file` itself if it is not a folder. Nothing, and
+  /// an error, if there is no such file.
   std::optional<std::filesystem::path> modelFile(const std::filesystem::path& file, bool isFromOutside,
                                                  Diagnostics& diagnostics) const;
   std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, bool isFromOutside,
                                                 Diagnostics& diagnostics) const;
   std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
-  /// @param found Diagnostics of reading, which are added to.
+  /// @param found Diagnostics of reading the file; those of the insertion are appended.
   std::optional<ModelOrLight> insertFirstOf(sdf::Root root, const InsertOptions& options, Diagnostics& found);
   std::optional<ModelOrLight> insertFirstLight(const sdf::Root& root, const InsertOptions& options,
                                                Diagnostics& diagnostics);

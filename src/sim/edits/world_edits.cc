@@ -19,7 +19,7 @@ WorldEdits::~WorldEdits() = default;
 
 namespace {
 
-/// Throws the first error, placed at `position` where it has no place of its own, and adds all else to `diagnostics`.
+/// Throws the first error, at `position` if it has none of its own, and adds the other diagnostics to `diagnostics`.
 void throwFirst(const Diagnostics& found, const SourcePosition& position, Diagnostics& diagnostics) {
   std::optional<Diagnostic> first;
   for (const Diagnostic& diagnostic : found.all()) {
@@ -60,7 +60,7 @@ std::vector<std::filesystem::path> WorldEdits::resourceFolders() const { return 
 
 bool WorldEdits::isInReach(const std::filesystem::path& path) const { return queue_.edits().isInReach(path); }
 
-/// What a system of a model from outside inserts is from outside too.
+/// A model inserted by a system that is from outside is from outside, too.
 InsertOptions WorldEdits::owned(InsertOptions options) const {
   options.isFromOutside = options.isFromOutside || owner_.isFromOutside();
   return options;

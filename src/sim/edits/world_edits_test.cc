@@ -15,7 +15,7 @@ namespace {
 
 using test::RunningWorld;
 
-// where the system is
+// the folder with the test's plugin
 const test::EnvironmentVariable kFolder("PONGSIM_PLUGIN_PATH", PONGSIM_EDITING_FOLDER);
 
 const std::string kEditor =
@@ -67,7 +67,7 @@ class WorldEditsTest : public testing::Test {
     message.set_data(what);
     world_.tell("/edit", message);
   }
-  /// @return What has been said since the last call.
+  /// @return Messages received since the last call.
   std::vector<std::string> said() {
     world_.simulation().transport().dispatch();
     std::vector<std::string> texts;
@@ -233,7 +233,7 @@ class WorldEditsOfModels : public WorldEditsTest {
   WorldEditsOfModels() : WorldEditsTest(robot("first") + robot("second")) {}
 };
 
-// Both hear the message; the first one's request ends the second one's.
+// Both systems receive the message; the request of the first removes the model of the second.
 TEST_F(WorldEditsOfModels, EndWithTheirSystem) {
   tell("remove second");
   world_.simulation().step();
@@ -245,7 +245,7 @@ TEST_F(WorldEditsOfModels, EndWithTheirSystem) {
   EXPECT_EQ(said(), Said{});
 }
 
-// Each removes itself, so that no request is left to one that has gone.
+// Each system removes its own model: a request of a system that no longer exists must not remain.
 TEST_F(WorldEditsOfModels, RemoveTheirOwnModelsInOneStep) {
   tell("remove itself");
   world_.simulation().step();
@@ -254,7 +254,7 @@ TEST_F(WorldEditsOfModels, RemoveTheirOwnModelsInOneStep) {
   EXPECT_EQ(said(), Said{});
 }
 
-/// @return What is said of a world whose editor is to read that.
+/// @return Diagnostics of a world whose editing system reads this SDF.
 std::vector<std::string> complaintsAbout(const std::string& sdf) {
   return RunningWorld::complaintsAbout(std::string("<plugin filename='editing") + "' name='test::Editing'>" + sdf +
                                        "</plugin>");

@@ -5,7 +5,7 @@
 namespace pongsim::sim {
 
 void RealTimeFactor::sample(WallTime wall, Time simulated) {
-  // the world was reset
+  // the world was reset: simulated time went back
   if (count_ > 0 && simulated < newest().simulated) restart();
   if (count_ > 0 && wall - newest().wall < kSpacing) return;
   samples_[next_] = {wall, simulated};

@@ -13,10 +13,10 @@ class RealTimeFactor {
  public:
   using WallTime = std::chrono::steady_clock::time_point;
 
-  /// Adds a sample. Call it as often as you like.
+  /// Adds a sample. May be called at any rate: samples that follow each other too closely are ignored.
   void sample(WallTime wall, Time simulated);
 
-  /// Discards the samples, after a pause.
+  /// Discards all samples. To be called after a pause.
   void restart() { count_ = 0; }
 
   /// @return The factor, or 0 before there are two samples.

@@ -9,27 +9,28 @@
 
 namespace pongsim::sim {
 
-/// Whether a run steps or is paused, and until when, as with Fortress's `/world/W/control`.
+/// Whether a run steps or is paused, and when it pauses; the semantics of Fortress's service `/world/W/control`.
 class RunControl {
  public:
   explicit RunControl(bool paused) : paused_(paused) {}
 
-  /// Applies a request between two steps. Without `pause` the run continues, whatever else is requested. Several steps
-  /// and a time to run to only apply with `pause` true and false, respectively; a time in the past is ignored. After a
-  /// reset without `pause` during several steps, the run pauses after the remaining ones, of which, as in Fortress, the
-  /// start itself is one.
+  /// Applies a request between two steps. Without `pause` in it, the run continues, whatever else is requested.
+  /// `multi_step` applies only with `pause: true`, and `run_to_sim_time` only with `pause: false`; a time in the past
+  /// is ignored. After a reset without `pause` during a `multi_step`, the run pauses after the remaining steps; as in
+  /// Fortress, the reset counts as one of them.
   /// @param now Time after the reset, if one is requested; the reset itself is up to the caller.
   Outcome<void> apply(const msgs::WorldControl& asked, Time now);
 
-  /// Reports that a step was made, and the time.
+  /// To be called after each step.
+  /// @param now Simulated time.
   void stepped(Time now);
 
-  /// @return Whether to make no step now.
+  /// @return Whether the run is paused: no step is to be made now.
   bool paused() const { return paused_ && stepsLeft_ == 0; }
 
  private:
   bool paused_;
-  /// Until the pause.
+  /// Number of steps until the run pauses.
   std::uint32_t stepsLeft_ = 0;
   std::optional<Time> runTo_;
 };

@@ -48,7 +48,7 @@ TEST(RunControl, PausesBehindTheStepsThatAreLeftWhereItIsResetAmongThem) {
   control.stepped(milliseconds(1));
   control.stepped(milliseconds(2));
   EXPECT_TRUE(control.apply({.reset = msgs::Reset::kAll}, Time::zero()));
-  // the start was one of the three
+  // the reset counts as one of the three steps
   for (int i = 1; i <= 2; ++i) {
     EXPECT_FALSE(control.paused()) << i;
     control.stepped(milliseconds(i));

@@ -23,14 +23,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long a wait may last before `stop` is looked at.
+// Longest sleep between two checks of `stopping_`.
 constexpr std::chrono::milliseconds kLongestWait{50};
-// A run that has fallen behind its schedule by more than this does not try to catch up.
+// Largest delay behind the schedule that is made up for; a longer one moves the schedule.
 constexpr std::chrono::milliseconds kLargestDebt{20};
-// While paused, messages and topics are served this often even if none comes.
+// Interval at which a paused run handles messages and topics, even if no message arrives.
 constexpr std::chrono::milliseconds kPausedPeriod{10};
 
-/// @return Wall time that a step is to take; zero: as little as possible.
+/// @return Wall time per step; zero: as fast as possible.
 Clock::duration stepPeriod(const Simulation& simulation, const RunOptions& options) {
   double seconds = 0;
   if (options.updateRate) {
@@ -38,11 +38,11 @@ Clock::duration stepPeriod(const Simulation& simulation, const RunOptions& optio
   } else if (simulation.realTimeFactor() > 0) {
     seconds = toSeconds(simulation.stepSize()) / simulation.realTimeFactor();
   }
-  // A day is as good as for ever, and fits the clock.
+  // limited to a day, because longer times may not fit the clock's type
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 86400.0)));
 }
 
-/// Sleeps until `time`, or until a signal comes.
+/// Sleeps until `time`, or until a signal arrives.
 void sleepUntil(Clock::time_point time) {
   const auto sinceEpoch = time.time_since_epoch();
   const auto seconds = std::chrono::floor<std::chrono::seconds>(sinceEpoch);
@@ -112,7 +112,7 @@ void Runner::doTasks() {
 }
 
 void Runner::run() {
-  // The kernel rounds sleeps up by 50 us otherwise, a twentieth of the usual step.
+  // the default timer slack of 50 us is a twentieth of the usual step of 1 ms
   prctl(PR_SET_TIMERSLACK, 1UL);
   while (!isOver()) {
     if (parts_->control.paused()) {
@@ -125,8 +125,7 @@ void Runner::run() {
 
 bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_->iterations; }
 
-/// Until something comes that may end the pause, but not for long. The systems are called first: some wait for a pause
-/// to come.
+/// One pass of the loop while paused. The systems are called before the wait, because some wait for a pause to begin.
 void Runner::waitPaused() {
   Parts& parts = *parts_;
   doTasks();
@@ -144,7 +143,7 @@ void Runner::runSteps() {
   while (!isOver()) {
     doTasks();
     parts.simulation.transport().dispatch();
-    // what was asked for meanwhile is done before it is answered: no step comes after an answered pause
+    // a request handled by `dispatch` takes effect before its response is sent: no step follows the response to a pause
     if (parts.control.paused() || isOver()) return;
     parts.simulation.advance(parts.simulation.stepSize());
     ++parts.made;

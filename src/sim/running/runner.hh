@@ -14,9 +14,9 @@
 namespace pongsim::sim {
 
 struct RunOptions {
-  /// Start paused.
+  /// Starts paused.
   bool paused = false;
-  /// End after this many steps.
+  /// Ends the run after this many steps.
   std::optional<std::uint64_t> iterations = std::nullopt;
   /// Steps per second of wall time, instead of the world's `<real_time_factor>`. 0: as fast as possible.
   std::optional<double> updateRate = std::nullopt;
@@ -37,13 +37,13 @@ class Runner {
       ResourceServices::FolderAdded folderAdded = [](const auto&) {});
   ~Runner();
 
-  /// Runs until all steps are made or `stop` is called.
+  /// Runs on the calling thread until all steps are made or `stop` is called.
   void run();
 
-  /// Ends its topics and services, after `run`.
+  /// Ends the run's topics and services. To be called after `run`.
   void leave();
 
-  /// Lets `run` call `task` between two steps. Thread-safe.
+  /// Queues `task`, which `run` calls between two steps. Thread-safe.
   void post(std::function<void(Simulation&)> task);
 
   /// Makes `run` end soon. Thread-safe and lock-free, so it may be called from a signal handler.

@@ -84,7 +84,7 @@ TEST_F(RunnerTest, StaysWhereItIsWhilePaused) {
   Runner runner(*simulation_, {.paused = true, .iterations = 5});
   int heard = 0;
   Node node = simulation_->transport().node();
-  // Two messages prove that the loop continues.
+  // a second message shows that the loop continues after the first
   const Subscription clock = node.subscribe("/clock", "ignition.msgs.Clock", [&](const Message&) {
     if (++heard == 2) runner.stop();
   });
@@ -93,7 +93,7 @@ TEST_F(RunnerTest, StaysWhereItIsWhilePaused) {
   EXPECT_EQ(simulation_->iterations(), 0U);
 }
 
-/// A run on its own thread, which this thread sends requests.
+/// A run on its own thread; the test's thread sends requests to it.
 class ControlledRun : public RunnerTest {
  protected:
   ~ControlledRun() override { end(); }
@@ -118,7 +118,7 @@ class ControlledRun : public RunnerTest {
     EXPECT_TRUE(result) << result.error;
     return reply.data();
   }
-  /// @return Why the service refused; empty if it did not.
+  /// @return Why the service refused the request; empty if it did not.
   std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
     const MessagePointer request = newMessage(type);
     EXPECT_FALSE(parseMessage(text, *request));
@@ -179,7 +179,7 @@ TEST_F(ControlledRun, GoesBackToTheStartWhenReset) {
 }
 
 TEST_F(RunnerTest, PausesBehindTheStepsThatAreLeftWhenResetAmongThem) {
-  // all on this thread: a request is handled before the step after it
+  // all on this thread: a request is handled before the step that follows it
   Runner runner(*simulation_, {.paused = true, .updateRate = 0.0});
   Node node = simulation_->transport().node();
   const auto control = [&node](const std::string& text) {

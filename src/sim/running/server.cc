@@ -33,7 +33,7 @@ void Server::stop() {
   for (const std::unique_ptr<Runner>& runner : runners_) runner->stop();
 }
 
-/// The first world has it already.
+/// Adds a folder to the other worlds; the first one, whose service got the request, has added it.
 void Server::addFolder(const std::filesystem::path& folder) {
   for (std::size_t i = 1; i < runners_.size(); ++i) {
     runners_[i]->post([folder](Simulation& simulation) { simulation.addResourceFolder(folder); });
@@ -64,14 +64,14 @@ std::thread Server::startBeside(std::size_t world, std::exception_ptr& failure) 
       --running_;
       transport_.wake();
     });
-    // as others tell threads apart; more letters there are not
+    // thread names, as shown by ps and gdb, have at most 15 characters
     pthread_setname_np(thread.native_handle(), name.substr(0, 15).c_str());
     return thread;
   } catch (const std::system_error& error) {
     --running_;
     throw std::runtime_error("can't start a thread for world '" + name + "': " + error.what());
   } catch (...) {
-    // memory, for what the thread begins with
+    // out of memory in the thread's constructor
     --running_;
     throw;
   }
@@ -85,16 +85,17 @@ void Server::runBeside() {
     try {
       threads.push_back(startBeside(i, failures[i]));
     } catch (...) {
-      // those that run already end first
+      // the worlds that already run end before the exception is rethrown
       failures[i] = std::current_exception();
       stop();
       break;
     }
   }
-  // the services of the process are met here
+  // handles requests to the services of the process
   while (running_ > 0) transport_.dispatchFor(std::chrono::hours(1));
   for (std::thread& thread : threads) thread.join();
-  // answers to what worlds asked of the process, as to stop: they came when a world's thread had ended
+  // handles responses of the process to the worlds, such as to a stop request, that arrived after a world's thread had
+  // ended
   for (std::size_t i = 0; i < worlds_.size(); ++i) {
     if (!failures[i]) worlds_[i]->transport().dispatch();
   }

@@ -15,9 +15,9 @@
 
 namespace pongsim::sim {
 
-/// Runs several worlds at once, each on its own thread and at its own pace; a single one on the thread that calls
-/// `run`. Each has a `Runner`. What exists once per process, such as `/clock` and the resource folders, belongs to the
-/// first world. When a world has made its steps, its topics and services end, while the others continue.
+/// Runs several worlds at once, each on its own thread and at its own pace; a single world runs on the thread that
+/// calls `run`. Each world has a `Runner`. What exists once per process, such as `/clock` and the resource folders,
+/// belongs to the first world. When a world has made its steps, its topics and services end, while the others continue.
 class Server {
  public:
   /// @param transport For the services of the process: the transport of a single simulation, else the one that all
@@ -26,8 +26,8 @@ class Server {
   Server(Transport& transport, const std::vector<std::unique_ptr<Simulation>>& worlds, const RunOptions& options);
   ~Server();
 
-  /// Runs until all worlds have made their steps, or `stop` is called, also by a request to `/server_control`. If one
-  /// fails, all end.
+  /// Runs until all worlds have made their steps, or `stop` is called, also by a request to `/server_control`. If a
+  /// world fails, all worlds end.
   /// @throws The exception of the first world that failed.
   void run();
 

@@ -16,13 +16,14 @@ namespace pongsim::sim {
 
 namespace {
 
-/// The first that is set counts, also where it is empty.
+/// The first variable that is set is used, even if it is empty.
 constexpr const char* kVariables[] = {"IGN_GAZEBO_SERVER_CONFIG_PATH", "GZ_SIM_SERVER_CONFIG_PATH"};
 
-/// What a `<plugin>` of the file says beside what one of a world does.
+/// Attributes of a `<plugin>` in a server config file that one in a world does not have: the entity that gets the
+/// system.
 constexpr std::string_view kEntityName = "entity_name", kEntityType = "entity_type";
 
-/// @return The model of that name, plain or scoped ("outer::inner"), or null.
+/// @return The model with that name, plain or scoped ("outer::inner"), or null.
 description::Model* findModel(std::vector<description::Model>& models, std::string_view name) {
   for (description::Model& model : models) {
     if (model.name == name) return &model;
@@ -74,7 +75,7 @@ void give(const Element& plugin, description::World& world, Diagnostics& diagnos
   }
 }
 
-/// Says that the world has no systems, and why.
+/// Warns that the world has no systems, and why.
 void warnOfNone(const SourcePosition& position, const std::string& why, Diagnostics& diagnostics) {
   diagnostics.warning(position, why + ": no system is loaded", "unset the variable for the default systems");
 }

@@ -14,7 +14,7 @@ constexpr const char* kPhysics =
     "<plugin entity_name='*' entity_type='world' filename='ignition-gazebo-physics-system' "
     "name='ignition::gazebo::systems::Physics'/>";
 
-/// Names the file by the variable, for a world with a ball that falls.
+/// Sets the variable to a server config file, for a world with a falling ball.
 class ServerConfig : public testing::Test {
  protected:
   ~ServerConfig() override {

@@ -8,7 +8,7 @@
 
 namespace pongsim::sim {
 
-/// Services for a run as a whole: `/gazebo/worlds` and `/server_control`. Requests are handled within the transport's
+/// Services of a run as a whole: `/gazebo/worlds` and `/server_control`. Requests are handled within the transport's
 /// `dispatch`.
 class ServerServices {
  public:

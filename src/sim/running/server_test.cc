@@ -102,7 +102,7 @@ TEST_F(ServerTest, AddsResourceFoldersForAllWorlds) {
   EXPECT_FALSE(parseMessage("data: '" + folder_.path().string() + "'", *request));
   const MessagePointer reply = newMessage("Empty");
   EXPECT_TRUE(asker_.node().call("/gazebo/resource_paths/add", *request, *reply, test::kDeadline));
-  // what was posted before is done when this is answered
+  // posted tasks are done before the second request is answered
   EXPECT_TRUE(control("coarse", "pause: true"));
   EXPECT_TRUE(control("coarse", "pause: true"));
   end();

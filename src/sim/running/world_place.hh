@@ -6,7 +6,7 @@ namespace pongsim::sim {
 
 /// Position of a world in its file.
 struct WorldPlace {
-  /// From 0 on.
+  /// Index, from 0.
   std::size_t number = 0;
   /// Whether it is the only simulated world of the file.
   bool isAlone = true;

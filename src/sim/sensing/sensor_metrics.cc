@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kType = "ignition.msgs.PerformanceSensorMetrics";
 
-// What the clock can tell: two readings within one tick are no infinity of readings a second.
+// The clock's resolution [s]: a lower bound for periods, so that rates stay finite.
 constexpr double kShortest = 1e-9;
 
 }  // namespace

@@ -13,8 +13,8 @@
 
 namespace pongsim::sim {
 
-/// Publishes a sensor's actual rates on `TOPIC/performance_metrics`. (Fortress computes the rate in simulated time
-/// wrongly, dividing by nanoseconds, and leaves out cameras' `fps_optional`.)
+/// Publishes a sensor's actual rates on `TOPIC/performance_metrics`. Unlike this, Fortress divides by nanoseconds to
+/// get the rate in simulated time, and leaves out `fps_optional` of cameras.
 class SensorMetrics {
  public:
   /// @param topic The sensor's topic.
@@ -22,11 +22,11 @@ class SensorMetrics {
 
   bool hasSubscribers() const { return publisher_.hasSubscribers(); }
 
-  /// Call it with each published reading.
-  /// @param nominalRate Current rate, readings per simulated second; zero: one per step.
+  /// To be called with each published reading.
+  /// @param nominalRate Current rate [readings per simulated second]; zero: one per step.
   void publish(Time now, double nominalRate);
 
-  /// Discards what was measured.
+  /// Discards the measured periods.
   void reset();
 
  private:

@@ -50,7 +50,7 @@ TEST_F(SensorMetricsTest, TellTheRatesFromTheSecondReadingOn) {
   EXPECT_NEAR(heard_[0].sim_update_rate(), 50, 1e-9);
   EXPECT_NEAR(heard_[1].sim_update_rate(), 10, 1e-9);
   EXPECT_EQ(heard_[0].nominal_update_rate(), 30);
-  // one after the other, without waiting in between
+  // readings follow each other without waiting, so in real time they are faster
   EXPECT_GT(heard_[0].real_update_rate(), heard_[0].sim_update_rate());
   EXPECT_FALSE(heard_[0].has_fps_optional());
 }

@@ -17,7 +17,7 @@ Publisher SensorContext::advertise(std::string_view kind) const {
 
 SensorDevice::~SensorDevice() = default;
 
-/// A sensor with what its system keeps for it.
+/// A sensor and its device, topic and noise.
 struct SensorSystem::Member {
   Member(const Sensor& sensor, std::size_t type, const SensorReadings& readings, Node& node, Random& random)
       : handle(sensor),
@@ -47,12 +47,12 @@ struct SensorSystem::Member {
   bool isThere = true;
   SensorTopic topic;
   NoiseSet noises;
-  // refers to the others
+  // declared last, because it refers to the members above
   std::unique_ptr<SensorDevice> device;
 };
 
 SensorSystem::SensorSystem(std::vector<SensorReadings> readings) : readings_(std::move(readings)) {
-  // all readings of a type follow each other
+  // readings of one type are adjacent
   for (const SensorReadings& each : readings_) {
     if (types_.empty() || types_.back() != each.sensorType) types_.push_back(each.sensorType);
   }
@@ -74,7 +74,7 @@ void SensorSystem::configure(const SystemContext& context) {
 }
 
 void SensorSystem::worldChanged() {
-  // a sensor in an unloaded level returns with its state
+  // a sensor in an unloaded level keeps its member, and with it its state
   std::erase_if(members_, [this](const std::unique_ptr<Member>& member) {
     const bool isGone = !member->handle.exists() && !member->handle.isSetAside();
     if (isGone) known_.erase(member->handle.id().value);
@@ -124,7 +124,8 @@ void SensorSystem::add(const Sensor& sensor, std::size_t type, Diagnostics& diag
   const auto isOfType = [&](const SensorReadings& each) { return each.sensorType == types_[type]; };
   const auto first = std::ranges::find_if(readings_, isOfType);
   const std::span<const SensorReadings> readings(first, std::find_if_not(first, readings_.end(), isOfType));
-  // a sensor that is left out must not change the random streams of the others: a reset does not make it again
+  // restored if the sensor is left out: the noise of the others must be the same after a reset, which does not make it
+  // again
   const Random before = *random_;
   try {
     auto member = std::make_unique<Member>(sensor, type, readings.front(), *node_, *random_);

@@ -14,7 +14,7 @@
 namespace pongsim {
 namespace {
 
-/// A sensor as others would write it: its height with noise, and how many steps it has seen.
+/// A sensor written like one outside this project: measures its height with noise, and counts steps.
 class HeightSensor final : public SensorOf<ignition::msgs::Vector3d> {
  public:
   static constexpr SensorKind kKind{
@@ -43,7 +43,7 @@ class HeightSensor final : public SensorOf<ignition::msgs::Vector3d> {
   int steps_ = 0;
 };
 
-/// The same for sensors of two types, with a topic of each sensor beside the first.
+/// A system for two types of such sensors; each sensor has a second topic.
 class HeightSystem final : public SensorSystem {
  public:
   HeightSystem()
@@ -89,7 +89,7 @@ class SensorSystemTest : public testing::Test {
         topic, [this, sensor](const ignition::msgs::Vector3d& message) { heard_[sensor].push_back(message); }));
   }
 
-  /// @return What a few steps measured, as text.
+  /// @return The measurements of a few steps, as text.
   std::string measured() {
     heard_.clear();
     simulation_->step(3);
@@ -157,7 +157,7 @@ TEST_F(SensorSystemTest, LeavesOutASensorThatCantBeMade) {
 }
 
 TEST_F(SensorSystemTest, RepeatsItsNoiseAfterAReset) {
-  // of two types in the other order than the system's, behind one that is left out
+  // sensors of two types, in another order than the system's, after one that is left out
   start(modelWith("broken", "broken") + modelWith("a", "a") + modelWith("b", "b", "late") + modelWith("c", "c"),
         std::make_unique<HeightSystem>());
   listen("a");

@@ -66,7 +66,7 @@ void SensorTopic::publish(const Message& message, const Bulk& bulk) {
 
 void SensorTopic::setRate(double rate) {
   if (!(rate >= 0)) return;
-  // no more than the file asks for
+  // `<update_rate>` of the file is the upper limit
   if (largestRate_ > 0) rate = rate > 0 ? std::min(rate, largestRate_) : largestRate_;
   rate_ = rate;
   period_ = messagePeriod(rate);
@@ -77,7 +77,7 @@ bool SensorTopic::isDue(const StepInfo& info) {
   if (info.paused) return false;
   now_ = info.time;
   if (info.time < due_) return false;
-  // on a grid, so that the rate is kept where it is no multiple of the step
+  // at multiples of the period, so that the mean rate is exact even if the period is no multiple of the step
   if (period_ > Time::zero()) due_ = Time((info.time / period_ + 1) * period_.count());
   sinceLast_ = count_ > 0 ? toSeconds(info.time - last_) : 0;
   last_ = info.time;

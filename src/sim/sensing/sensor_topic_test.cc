@@ -30,7 +30,7 @@ class SensorTopicTest : public testing::Test {
 
   StepInfo at(int count) const { return {std::chrono::milliseconds(count), Time(1), 1, false}; }
 
-  /// @return How many messages are due in the milliseconds after `from` up to `to`.
+  /// @return The number of messages due after `from` and up to `to` [ms].
   int dueBetween(int from, int to) {
     int count = 0;
     for (int time = from + 1; time <= to; ++time) {
@@ -39,7 +39,7 @@ class SensorTopicTest : public testing::Test {
     return count;
   }
 
-  /// @return Whether the service took the request.
+  /// @return Whether the service accepted the request.
   bool setRate(double rate) {
     MessagePointer request = newMessage("ignition.msgs.Double");
     parseMessage("data: " + std::to_string(rate), *request);

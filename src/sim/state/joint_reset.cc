@@ -14,11 +14,11 @@ namespace pongsim::sim {
 
 namespace {
 
-/// An axis as it lies in the world now.
+/// An axis of a joint at the current poses, in world coordinates.
 struct WorldAxis {
   Vector3 direction;
   Vector3 origin;
-  /// [m/rad] of what turns; of what slides there is no turn.
+  /// Translation per angle of a screw joint, `thread_pitch` / (2 pi) [m/rad]; else 0.
   double lead = 0;
   bool slides = false;
 };
@@ -29,7 +29,7 @@ WorldAxis axisNow(const Access& access, const world::JointRecord& joint, std::si
       joint.parentLink == world::kNoSlot ? Pose() : access.state.links[joint.parentLink].X_WorldLink;
   const Pose X_WorldChild =
       joint.childLink == world::kNoSlot ? Pose() : access.state.links[joint.childLink].X_WorldLink;
-  // the first is fixed to the parent, the second to the child
+  // axis 0 is fixed to the parent, axis 1 to the child
   const Pose X_WorldParentJoint = X_WorldParent * description.X_ParentJoint;
   const Pose X_WorldChildJoint = X_WorldChild * description.X_ChildJoint;
   const Quaternion& rotation = axis == 0 ? X_WorldParentJoint.rotation : X_WorldChildJoint.rotation;
@@ -39,8 +39,8 @@ WorldAxis axisNow(const Access& access, const world::JointRecord& joint, std::si
           description.type == description::JointType::kPrismatic};
 }
 
-/// @return The links that other joints connect with the joint's child, itself first; none where they hold it to the
-/// joint's parent or to the world, too.
+/// @return The joint's child, and all links that other joints connect to it, directly or through others; empty if these
+/// joints form a loop, that is, also lead to the joint's parent or to the world.
 std::vector<world::Slot> hangingOn(const world::Entities& entities, world::Slot joint) {
   const world::JointRecord& own = entities.joints()[joint];
   if (own.childLink == world::kNoSlot) return {};

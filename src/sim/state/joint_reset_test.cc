@@ -1,4 +1,4 @@
-// Positions of joints set between steps.
+// Joint positions that are set between steps.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::unique_ptr<Simulation> resettable(const std::string& joints) {
   return simulation;
 }
 
-// its axis is z through the origin
+// the joint's axis is z, through the world's origin
 constexpr const char* kHinge = R"(<joint name="j" type="revolute"><parent>base</parent><child>arm</child>
   <pose>-1 0 0 0 0 0</pose><axis><xyz>0 0 1</xyz></axis></joint>)";
 

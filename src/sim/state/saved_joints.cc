@@ -56,7 +56,8 @@ std::vector<SavedJoint> jointsOf(const world::Entities& entities) {
 
 bool isSame(const SavedJoint& a, const SavedJoint& b) { return a.key == b.key; }
 
-/// @return Whether `wanted` is some of the file's joints in `present`, in their order, and then what was made.
+/// @return Whether `wanted` consists of some of the file's joints in `present`, in their order, followed by joints made
+/// at run time.
 bool canBecome(const std::vector<SavedJoint>& present, const std::vector<SavedJoint>& wanted) {
   auto next = wanted.begin();
   for (const SavedJoint& joint : present) {
@@ -65,8 +66,8 @@ bool canBecome(const std::vector<SavedJoint>& present, const std::vector<SavedJo
   return std::all_of(next, wanted.end(), [](const SavedJoint& joint) { return joint.isMade; });
 }
 
-/// @param next The first id that the file leaves free.
-/// @return Whether what was made has ids that come after those of the file, each once.
+/// @param next The first id after those of the file.
+/// @return Whether the joints made at run time have ascending, unique ids from `next` on.
 bool followTheFile(const std::vector<SavedJoint>& wanted, std::uint64_t next) {
   constexpr std::uint64_t kLargestId = std::uint64_t{1} << 30U;
   for (const SavedJoint& joint : wanted) {
@@ -77,8 +78,8 @@ bool followTheFile(const std::vector<SavedJoint>& wanted, std::uint64_t next) {
   return true;
 }
 
-/// @return Whether what was made has ids of nothing that is there, and larger ones than all joints that stay: models
-/// that have come in another way than in the saved run may have those ids, or smaller and larger ones around them.
+/// @return Whether the ids of the joints to be made are not in use, and larger than those of all joints that stay. Both
+/// may fail if models were inserted in another order than in the saved run.
 bool haveFreeIds(const std::vector<SavedJoint>& wanted, const world::Entities& entities) {
   const auto isTaken = [&](const SavedJoint& joint) {
     const std::uint64_t id = joint.id.value;
@@ -94,7 +95,7 @@ bool haveFreeIds(const std::vector<SavedJoint>& wanted, const world::Entities& e
   return std::ranges::none_of(wanted, [&](const SavedJoint& joint) { return joint.isMade && isTaken(joint); });
 }
 
-/// @return Whether what was made holds two links that are there, or one and the world.
+/// @return Whether each joint to be made connects two existing links, or an existing link and the world.
 bool haveLinks(const std::vector<SavedJoint>& wanted, const world::Entities& entities) {
   const auto linkOf = [&](const std::string& name) { return entities.findLink(world::kNoSlot, name); };
   const auto isThere = [&](const std::string& name) { return name == "world" || linkOf(name) != world::kNoSlot; };

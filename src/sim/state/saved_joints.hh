@@ -11,7 +11,7 @@
 
 namespace pongsim::sim {
 
-/// A joint in a saved state: one of the file only by name, one made at run time with its description.
+/// A joint in a saved state: a joint of the file only by name, one made at run time with its description.
 struct SavedJoint {
   /// Hash of its description in the file, or of the fields below.
   std::uint64_t key = 0;
@@ -28,9 +28,9 @@ struct SavedJoint {
 /// @return All joints, including those set aside, in the order of their ids.
 std::vector<SavedJoint> listJoints(const Access& access);
 
-/// Makes and removes joints until exactly these exist. If joints of the file were removed since, everything is first
-/// reset to the start, which is impossible if models were added or removed. Nothing may be set aside.
-/// A refusal changes nothing.
+/// Makes and removes joints until exactly these exist. If joints of the file have been removed, everything is first
+/// reset to the start, which is refused if models were added or removed. No entity may be set aside. A refusal changes
+/// nothing.
 Outcome<void> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted);
 
 }  // namespace pongsim::sim

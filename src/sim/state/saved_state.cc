@@ -25,7 +25,8 @@ void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.rotation.coeffs()) hash.add(value);
 }
 
-/// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
+/// @return A hash of the world's entities, except joints, their initial poses, and its systems. A state can only be
+/// restored into a world with the same hash.
 std::uint64_t structureOf(const Access& access, const SystemSet& systems) {
   base::Hash hash;
   hash.add(access.entities.description().name);
@@ -65,8 +66,8 @@ void transfer(StateArchive& archive, Access& access) {
   }
 }
 
-/// Calls `use(name, record)` with each model, light and actor that is not part of something else. Names begin with the
-/// kind, for a model and a light may have the same.
+/// Calls `use(name, record)` for each top-level model, light and actor. Names are preceded by the kind, because a model
+/// and a light may have the same name.
 template <class Use>
 void forEachTopLevel(const world::Entities& entities, Use use) {
   for (const world::ModelRecord& model : entities.models()) {
@@ -78,9 +79,9 @@ void forEachTopLevel(const world::Entities& entities, Use use) {
   for (const world::ActorRecord& actor : entities.actors()) use("actor " + actor.description->name, actor);
 }
 
-/// What is in the world in a saved state, and what the systems remember.
+/// The entities set aside, the joints, and the states of the systems in a saved state.
 struct SavedContent {
-  /// By name, in order: ids may be others in another run.
+  /// Sorted names, because ids may differ in another run.
   std::vector<std::string> setAside;
   std::vector<SavedJoint> joints;
   std::vector<std::string> systems;
@@ -92,8 +93,8 @@ struct SavedContent {
   }
 };
 
-/// @param ids Of what is not part of something else, sorted.
-/// @return Whether models that joints connect are all among them, or none is.
+/// @param ids Sorted ids of top-level entities.
+/// @return Whether for each joint all connected models are among them, or none is.
 bool keepTogether(const world::Entities& entities, const std::vector<std::uint64_t>& ids) {
   const auto isAmong = [&](world::Slot link) {
     const world::ModelRecord* model = &entities.models()[entities.links()[link].model];
@@ -109,13 +110,13 @@ bool keepTogether(const world::Entities& entities, const std::vector<std::uint64
   });
 }
 
-/// Sets those aside that are in the saved state, and makes and removes joints.
-/// @throws std::exception where the state is not one of this world.
+/// Sets the same entities aside as in the saved state, and makes and removes joints.
+/// @throws std::exception if the state is not of this world.
 Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSet& systems) {
   const std::vector<std::uint64_t> before = access.entities.listSetAside();
   Editor(access).setAside({});
   if (Outcome<void> restored = restoreJoints(access, saved.joints); !restored) return restored;
-  // systems of what is set aside can't look for anything afterwards
+  // first, because systems of entities that are set aside can't look up entities afterwards
   if (!saved.setAside.empty()) systems.restore(saved.systems, false);
   std::vector<std::uint64_t> ids;
   forEachTopLevel(access.entities, [&](const std::string& name, const auto& record) {
@@ -126,13 +127,13 @@ Outcome<void> restoreContent(const SavedContent& saved, Access& access, SystemSe
   if (!mayBe || !keepTogether(access.entities, ids)) return {"the saved state has unloaded levels that can't be here"};
   Editor(access).setAside(ids);
   if (ids == before) return {};
-  // who holds sensors that have come or gone must know it before those are restored
+  // systems have to know which sensors exist before the states of these are restored
   systems.updateWhoRests();
   systems.announceChanges();
   return {};
 }
 
-/// @param bytes What follows the header. Where they are refused, some of them have been restored.
+/// @param bytes Content after the header. On a refusal, a part of it may have been restored.
 Outcome<void> restoreAll(std::span<const std::byte> bytes, Access& access, SystemSet& systems) {
   try {
     StateArchive content(bytes);
@@ -148,7 +149,7 @@ Outcome<void> restoreAll(std::span<const std::byte> bytes, Access& access, Syste
   }
 }
 
-/// @return What follows the header.
+/// @return Content after the header.
 std::vector<std::byte> saveAll(Access& access, SystemSet& systems) {
   StateArchive content;
   SavedContent saved{{}, listJoints(access), systems.save()};
@@ -191,7 +192,7 @@ Outcome<void> restoreState(std::span<const std::byte> bytes, Access& access, Sys
   if (structure != structureOf(access, systems)) {
     return {"the saved state is of another world, or of other models, joints or systems"};
   }
-  // anybody may have made a state with a checksum that is right
+  // a correct checksum does not prove that the state is valid: keep the current state, to undo a partial restoration
   std::vector<std::byte> before;
   try {
     before = saveAll(access, systems);

@@ -11,13 +11,13 @@
 
 namespace pongsim::sim {
 
-// The bytes: "pongsim5", a number made of who is in the world, a number made of the rest, and the rest.
+// The format: "pongsim5", a hash of the world's structure, a checksum of the content, and the content.
 
 std::vector<std::byte> saveState(Access& access, SystemSet& systems);
 
-/// A refused state changes nothing: what has been restored of it is overwritten with what was there before. Only joints
-/// of the file can't come back where models were inserted or removed since the start; where a forged state has removed
-/// some, and is refused afterwards, the reason says that the world is now another.
+/// A refused state changes nothing: a partial restoration is undone by restoring the previous state. The exception are
+/// joints of the file, which can't be made again if models have been inserted or removed since the start. If a forged
+/// state has removed some and is refused later, the returned error says that the world has changed.
 Outcome<void> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems);
 
 }  // namespace pongsim::sim

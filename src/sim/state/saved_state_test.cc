@@ -32,7 +32,7 @@ void press(Simulation& simulation, int key) {
   keys.publish(*message);
 }
 
-/// Forward, then in a bend until it stands against a wall.
+/// Drives forward, then along a curve until it stops at a wall.
 std::uint64_t driveOn(Simulation& simulation) {
   press(simulation, 16777235);
   simulation.step(1500);
@@ -140,13 +140,13 @@ TEST(SavedState, KeepsJointsThatWereMadeAndRemoved) {
     futures.push_back(future(*other));
   }
   EXPECT_EQ(std::set(futures.begin(), futures.end()).size(), 3U);
-  // there and back in one simulation, with joints to make again that had gone
+  // restored repeatedly in one simulation; joints that were removed have to be made again
   for (const std::size_t i : {2U, 0U, 1U, 2U, 1U, 0U}) {
     EXPECT_TRUE(simulation->restoreState(states[i]));
     EXPECT_EQ(simulation->saveState(), states[i]);
     EXPECT_EQ(future(*simulation), futures[i]) << i;
   }
-  // where a model has come, joints of the file can't be made again
+  // after an insertion, joints of the file can't be made again
   EXPECT_TRUE(simulation->restoreState(states[2]));
   Diagnostics diagnostics;
   ASSERT_TRUE(simulation->insertText("<sdf version='1.9'><model name='new'><link name='l'/></model></sdf>", "new.sdf",
@@ -154,7 +154,7 @@ TEST(SavedState, KeepsJointsThatWereMadeAndRemoved) {
   EXPECT_FALSE(simulation->restoreState(states[0]));
 }
 
-// all joints are in the order of their ids
+// The list of joints is sorted by id.
 TEST(SavedState, IsRefusedWhereAModelHasComeAnewSinceAJointWasMade) {
   constexpr const char* kTwoLinks = R"(<sdf version="1.9"><world name="w">
       <model name="a"><link name="l"/></model><model name="b"><pose>5 0 0 0 0 0</pose><link name="l"/></model>
@@ -196,7 +196,7 @@ TEST(SavedState, IsRefusedWhereItDoesNotFit) {
   EXPECT_EQ(refusal(state), otherWorld);
 }
 
-// anybody can give a state a checksum that is right
+// A forged state can have a correct checksum.
 TEST(SavedState, LeavesNoTraceWhereItIsRefused) {
   const auto simulation = court();
   press(*simulation, 16777235);
@@ -209,7 +209,7 @@ TEST(SavedState, LeavesNoTraceWhereItIsRefused) {
   for (int i = 0; i < 500; ++i) {
     const Outcome<void> restored = simulation->restoreState(test::forged(state, random));
     if (restored) {
-      // it may have exploded
+      // the forged values may make the simulation fail
       try {
         simulation->step(20);
       } catch (const std::runtime_error&) {
@@ -228,7 +228,7 @@ TEST(SavedState, LeavesNoTraceWhereItIsRefused) {
   EXPECT_EQ(driveOn(*simulation), hash);
 }
 
-// joints of the file can't be made again where a model was inserted
+// Joints of the file can't be made again after an insertion.
 TEST(SavedState, TellsWhereItHasLeftATrace) {
   Diagnostics diagnostics;
   const auto begin = [&] {

@@ -21,7 +21,7 @@ std::vector<std::byte> bytesOf(T value) {
   return archive.take();
 }
 
-/// @return The value that the bytes of another one are read as.
+/// @return The value read from the bytes of one of another type.
 template <class T, class Other>
 T readAs(Other other) {
   const std::vector<std::byte> bytes = bytesOf(other);

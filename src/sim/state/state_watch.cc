@@ -23,13 +23,13 @@ void StateWatch::take(StateSnapshot& snapshot) {
   snapshot.places.clear();
   for (world::Slot slot = 0; slot < entities.models().size(); ++slot) {
     const world::ModelRecord& model = entities.models()[slot];
-    // static ones may be moved, too
+    // top-level static models can be moved by requests
     if (!model.isSetAside && (!model.isStatic || model.parent == world::kNoSlot))
       snapshot.places.push_back({model.id.value, world::poseInParent(entities, state, slot)});
   }
   for (world::Slot slot = 0; slot < entities.links().size(); ++slot) {
     const world::LinkRecord& link = entities.links()[slot];
-    // the model moves with this one, which stays where it is in it
+    // the canonical link does not move within its model, whose pose is listed above
     if (link.isSetAside || link.isStatic || entities.models()[link.model].canonicalLink == slot) continue;
     snapshot.places.push_back({link.id.value, world::poseInModel(entities, state, slot)});
   }
