@@ -27,10 +27,10 @@ constexpr const char* kOwnName = "/pongsim";
 constexpr const char* kUsualFolder = "keystore";
 constexpr int kAuthorityDays = 3650;
 constexpr int kIdentityDays = 365;
-// X.509's limit for a common name.
+// Upper bound of an X.509 common name (ub-common-name, RFC 5280) [characters].
 constexpr std::size_t kLongestName = 64;
 
-/// @return The first parent folder that is a keystore, else the path.
+/// @return The nearest parent folder that is a keystore; `place` if there is none.
 std::string keystoreOf(const std::string& place) {
   std::error_code error;
   for (fs::path root = place; !root.empty() && root != root.parent_path(); root = root.parent_path()) {
@@ -48,7 +48,7 @@ std::string keystoreFor(const Options& options) {
   return kUsualFolder;
 }
 
-/// @return The name of the ROS 2 enclave, "/fleet/robot_1".
+/// @return The enclave's name with a leading "/": "/fleet/robot_1".
 std::string checkedName(const std::string& given) {
   const std::string name = given.starts_with('/') ? given : "/" + given;
   bool isFine = name.size() > 1 && name.size() <= kLongestName;
@@ -79,15 +79,15 @@ void checkPatterns(const Permissions& permissions) {
   check("--allow-offer", permissions.offer);
 }
 
-/// The two certificate authorities of a keystore, which may be the same.
+/// The two certificate authorities of a keystore: for identities and for permissions. They may be the same.
 struct Authorities {
   const Credentials& identity;
   const Credentials& permissions;
 };
 
-/// Writes an identity into a folder, with links to the files that all identities share.
-/// @param up From the folder to the keystore: "../..".
-/// @param permissionsFile A file to sign; empty: none.
+/// Writes an identity's files into a folder, with links to the files that all identities share.
+/// @param up The relative path from the folder to the keystore: "../..".
+/// @param permissionsFile A permissions document to sign; empty: one is made from `permissions`.
 void writeIdentity(NewFolder& folder, const fs::path& at, const fs::path& up, const std::string& name, int days,
                    const Authorities& authorities, const Permissions& permissions, const std::string& permissionsFile) {
   const Credentials made = makeIdentity(name, days, authorities.identity);
@@ -132,7 +132,7 @@ ListedIdentity listedIdentity(const fs::path& keystore, const std::string& name)
   }
 }
 
-/// @return "all topics", or the patterns; denied ones are preceded by "not".
+/// @return "all topics", or a list of patterns, with "not" before the denied ones.
 std::string patternsOf(const SecureIdentity& identity, std::vector<std::string> TopicRule::*use) {
   std::string text;
   for (const TopicRule& rule : identity.rules) {
@@ -210,7 +210,7 @@ int add(const Options& options) {
   const std::string name = checkedName(options.name);
   checkPatterns(options.permissions);
   const fs::path keystore = keystoreFor(options);
-  // fails if there is no keystore
+  // throws if there is no keystore
   identitiesOf(keystore.string());
   const fs::path open = keystore / "public";
   const fs::path secret = keystore / "private";

@@ -39,7 +39,7 @@ unsigned modeOf(const fs::path& path) {
   return lstat(path.c_str(), &about) == 0 ? about.st_mode & 07777U : 0;
 }
 
-/// @return The error message, with KEYS for the folder's name; empty if there is none.
+/// @return The error message, with KEYS in place of the keystore's path; empty if there is none.
 std::string refusal(const std::function<void()>& work, const fs::path& keystore) {
   try {
     work();
@@ -286,7 +286,7 @@ TEST_F(Keystore, RefusesPermissionsThatDoNotFit) {
   const std::string text = contentOf(own_ / "permissions.xml");
   sign("permissions.p7s", replaced(text, "CN=/pongsim", "CN=/other"));
   EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/permissions.p7s grants nothing to CN=/pongsim, but to CN=/other");
-  // at noon, because Fast DDS, and pongsim with it, reads it in the local time zone
+  // at noon, so that the date is the same in all time zones: Fast DDS and pongsim read it as local time
   sign("permissions.p7s", permissionsDocument("/pongsim", 0, 1'000'036'800, {}));
   EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/permissions.p7s expired on 2001-09-09");
   sign("permissions.p7s", replaced(text, "<max>232", "<max>9"));

@@ -46,7 +46,7 @@ Owned<BIO> readable(const std::string& text) {
   return Owned<BIO>(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-/// Gives the certificate a random serial number.
+/// Sets a random serial number: 127 bits, positive, and at most 20 octets as RFC 5280 (4.1.2.2) requires.
 void setSerialNumber(X509& certificate) {
   constexpr int kBits = 127;
   const Owned<BIGNUM> number(BN_new());
@@ -69,7 +69,7 @@ void addExtension(X509& certificate, X509& issuer, int kind, const char* value) 
   require(extension && X509_add_ext(&certificate, extension.get(), -1) == 1, "add an extension to a certificate");
 }
 
-/// @return Credentials without a signature.
+/// @return A new key pair, and a certificate for it that is not yet signed.
 Credentials draft(const std::string& name, std::time_t from, std::time_t until) {
   Credentials made{std::unique_ptr<EVP_PKEY, Free>(EVP_EC_gen("P-256")), std::unique_ptr<X509, Free>(X509_new())};
   require(made.key && made.certificate, "make a key");
@@ -88,7 +88,7 @@ std::time_t timeOf(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? timegm(&parts) : 0;
 }
 
-/// @return Eight random digits, so that two authorities on one machine have different names in messages.
+/// @return Eight random digits, to tell the names of several authorities apart in messages.
 std::string mark() {
   const Owned<BIGNUM> number(BN_new());
   require(BN_rand(number.get(), 32, BN_RAND_TOP_ONE, BN_RAND_BOTTOM_ANY) == 1, "make a random number");
@@ -142,8 +142,8 @@ Credentials makeIdentity(const std::string& name, int days, const Credentials& a
   require(X509_set_issuer_name(&certificate, X509_get_subject_name(&issuer)) == 1, "name an issuer");
   addExtension(certificate, issuer, NID_basic_constraints, "critical,CA:FALSE");
   addExtension(certificate, issuer, NID_key_usage, "critical,digitalSignature,keyAgreement");
-  // without the extended key usage of S/MIME: Fast DDS 2.9 accepts permissions signed by any certificate of the
-  // authority
+  // no emailProtection, so that this certificate can't sign permissions: Fast DDS 2.9 accepts permissions signed by any
+  // certificate of the authority
   addExtension(certificate, issuer, NID_ext_key_usage, "clientAuth,serverAuth");
   addExtension(certificate, issuer, NID_subject_key_identifier, "hash");
   require(X509_sign(&certificate, authority.key.get(), EVP_sha256()) > 0, "sign a certificate");

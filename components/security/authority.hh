@@ -30,9 +30,9 @@ struct Credentials {
 /// @throws cli::Failure
 Credentials makeAuthority(int days);
 
-/// Creates credentials of a participant, "CN=/robot", signed by the authority. They are valid for this many days,
-/// starting a day ago, and no longer than the authority. The day allows for clocks that differ, and for Fast DDS, which
-/// reads the times in permissions in the local time zone.
+/// Creates credentials of a participant with subject "CN=/robot", signed by the authority. They are valid from one day
+/// ago for this many days, but not longer than the authority. The day covers differences between clocks, and between
+/// time zones: Fast DDS reads the times in permissions as local time.
 /// @throws cli::Failure
 Credentials makeIdentity(const std::string& name, int days, const Credentials& authority);
 
@@ -40,7 +40,7 @@ Credentials makeIdentity(const std::string& name, int days, const Credentials& a
 /// match the certificate.
 Credentials readCredentials(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
-/// @return The text signed with S/MIME as DDS-Security requires: in clear text, followed by the signature.
+/// @return The text as an S/MIME message with a detached signature (multipart/signed), as DDS-Security requires.
 /// @throws cli::Failure
 std::string signedBy(const Credentials& authority, const std::string& text);
 

@@ -6,7 +6,7 @@ namespace pongsim::security {
 
 namespace {
 
-// Beside the discovery topics of pongsim's own transport: the graph of ROS nodes.
+// Topics of pongsim's transport for discovery and reports of traffic, and that of the graph of ROS 2 nodes.
 constexpr std::string_view kEverybodys[] = {"pongsim/census", "pongsim/traffic", "ros_discovery_info"};
 
 constexpr std::string_view kHead =
@@ -54,7 +54,7 @@ struct Topics {
   std::vector<std::string> subscribe;
 };
 
-/// DDS topics, including those of ROS, which adds a prefix: "/odom" is "rt/odom".
+/// @return The names of DDS topics for these ROS topics and for pongsim's: ROS adds a prefix, "/odom" is "rt/odom".
 Topics topicsOf(const Permissions& permissions) {
   if (permissions.areAll()) return {{"*"}, {"*"}};
   Topics topics;

@@ -17,11 +17,11 @@ struct Permissions {
   bool areAll() const { return publish.empty() && subscribe.empty() && call.empty() && offer.empty(); }
 };
 
-/// Topics through which participants discover each other; every identity may use them.
+/// @return Whether it is a topic for discovery, which every identity may publish and subscribe.
 bool isEverybodys(std::string_view topic);
 
-/// @return A governance document: in every domain only identities may participate, each topic is subject to
-/// permissions, and everything sent is encrypted from participant to participant.
+/// @return A governance document: in all domains only authenticated participants are allowed, topics are subject to
+/// access control, and RTPS messages are encrypted.
 std::string governanceDocument();
 
 /// @return A permissions document with one grant for all domains, with elements in the order that DDS-Security

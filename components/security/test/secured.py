@@ -1,4 +1,4 @@
-"""What tests of secured processes share: a folder with a keystore, a domain of their own, processes that end with it."""
+"""Helpers for tests of secured processes: a folder with a keystore, a DDS domain, and processes."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 FAST_PEER = os.environ.get("PONGSIM_FAST_PEER", str(ROOT / "build/release/test/ros2_fast_peer"))
 WORLD = ROOT / "worlds/pong_world.sdf"
-# For conditions that must come true, on a busy machine too.
+# Time limit for conditions that must come true, even on a busy machine [s].
 PATIENCE = 90.0
 
 sys.path.append(str(ROOT / "test/support"))
@@ -20,12 +20,12 @@ from test_domain import take_domain  # noqa: E402
 DOMAIN = str(take_domain())
 
 
-# All that runs, for messages of failures.
+# All running processes, whose output is part of failure messages.
 _running = []
 
 
 def _told():
-    """What each process has said so far."""
+    """The output of all processes so far, for messages of failures."""
     return "\n".join(f"{' '.join(each.args[:6])}, code {each.poll()}:\n{each.output()[-500:]}{each.said()[-2000:]}"
                      for each in _running)
 
@@ -59,14 +59,14 @@ class Place:
         self._folder.cleanup()
 
     def run(self, *words, code=0, **environment):
-        """What pongsim prints, or says where it fails as it should."""
+        """Runs pongsim; returns its output if `code` is 0, else its errors. Any other exit code is a failure."""
         done = subprocess.run([PONGSIM, *map(str, words)], cwd=self.path, capture_output=True, text=True,
                               timeout=PATIENCE, env=self.environment | environment)
         assert done.returncode == code, (words, done.returncode, done.stdout[-2000:], done.stderr[-2000:])
         return done.stdout if code == 0 else done.stderr
 
     def start(self, *words, program=PONGSIM, **environment):
-        """A process whose output goes to a file."""
+        """Starts a process: `output()` and `said()` return what it has written to standard output and error so far."""
         name = self.path / f"output{len(self._running)}"
         with open(name, "w") as output, open(f"{name}.said", "w") as said:
             process = subprocess.Popen([program, *map(str, words)], cwd=self.path, text=True, stdin=subprocess.PIPE,
@@ -78,7 +78,7 @@ class Place:
         return process
 
     def world(self, *words, file=WORLD, **environment):
-        """A world that runs, and has its topics."""
+        """Starts a world, and waits until it runs and has its topics."""
         process = self.start("run", file, *words, **environment)
         until(lambda: "step " in process.said(), "the world's start")
         return process

@@ -1,7 +1,7 @@
-"""A keystore as `ros2 security create_keystore` and `create_enclave` make it, by the command openssl, with none of ours.
+"""Makes a keystore like `ros2 security create_keystore` and `create_enclave`, by the command openssl, without pongsim.
 
-The documents are what sros2 writes for Humble with its default policy, down to the mode of the keys, which others can
-read."""
+The documents are those of sros2 for Humble with its default policy. The keys have its file mode, too: other users can
+read them."""
 
 import pathlib
 import subprocess
@@ -84,7 +84,7 @@ def make_enclave(keystore, name, domain):
 
 
 def close_keys(keystore):
-    """What the hint of pongsim says."""
+    """Makes the keys readable by their owner only, as pongsim's error message advises."""
     for key in pathlib.Path(keystore).rglob("*.key.pem"):
         key.chmod(0o600)
     for key in pathlib.Path(keystore).rglob("key.pem"):

@@ -1,12 +1,12 @@
-"""Who has no key of the keystore, or no permission, neither lists, hears, publishes nor calls."""
+"""Processes without an identity of the keystore, or without permission, can't list, subscribe, publish or call."""
 
 import os
 import unittest
 
 from secured import PATIENCE, Place, until
 
-# Where something is to come: on a busy machine the usual second is not enough for others to be found and to prove who
-# they are.
+# Time limits for commands that wait for discovery and authentication, which on a busy machine take longer than the
+# default of a second.
 SECONDS = ("--timeout", str(PATIENCE / 2))
 MILLISECONDS = ("--timeout", str(int(PATIENCE * 500)))
 
@@ -34,7 +34,7 @@ class Access(unittest.TestCase):
         until(lambda: CONTROL in self.place.run("service", "-l", PONGSIM_SECURITY="keys/pongsim"), "a list of services")
 
     def no_entry(self, **environment):
-        """What happens to somebody who does not belong to the keystore."""
+        """Checks that a process with this environment, without a valid identity, gets no access."""
         run = self.place.run
         self.assertEqual(run("topic", "-l", **environment), "")
         self.assertEqual(run("service", "-l", **environment), "")
@@ -48,7 +48,8 @@ class Access(unittest.TestCase):
 
     def test_a_foreign_authority_is_none(self):
         self.place.run("security", "init", "foreign")
-        # a sanitizer has to see who keeps the refused certificates: test/support/lsan.supp
+        # the leak sanitizer needs complete stacks to recognize Fast DDS's leak of refused certificates:
+        # test/support/lsan.supp
         sanitizer = os.environ.get("ASAN_OPTIONS", "") + ":fast_unwind_on_malloc=0"
         self.no_entry(PONGSIM_SECURITY="foreign", ASAN_OPTIONS=sanitizer)
 
@@ -95,7 +96,7 @@ class Access(unittest.TestCase):
         import socket
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             try:
-                # nothing is sent: it only asks which address that would be from
+                # connect of a UDP socket sends nothing, and shows the local address of the route
                 probe.connect(("198.51.100.1", 9))
             except OSError:
                 self.skipTest("this machine has no network")

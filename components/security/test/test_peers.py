@@ -1,4 +1,4 @@
-"""Nodes of bare Fast DDS, with nothing of pongsim's, by keystores of ours and as sros2 makes them."""
+"""Independent Fast DDS nodes with keystores made by pongsim and keystores as sros2 makes them."""
 
 import pathlib
 import unittest
@@ -29,7 +29,7 @@ class Peers(unittest.TestCase):
         return self.place.start("read", *topic, "reliable", program=FAST_PEER, **environment)
 
     def only_the_secured_hears(self, topic, keystore, name, others=()):
-        """Those who may not are there first, and hear nothing while one who may hears on and on."""
+        """Readers without permission are started first. They get no message, and one with permission gets 20."""
         silent = [self.reader(topic), *(self.reader(topic, **environment) for environment in others)]
         peer = self.reader(topic, **enclave(keystore, name))
         until(lambda: heard(peer) > 20, "messages")
