@@ -17,19 +17,20 @@
 
 namespace pongsim::ign {
 
-/// Bridges this transport's topics and services to ign-transport, under the same names. Messages of its own publishers
-/// are sent there while somebody subscribes there; messages published there go to its own subscriptions. For the
-/// simulation's thread, which never calls the library itself; must not outlive the transport.
+/// Connects a transport's topics and services with ign-transport, under the same names. Messages of the transport's own
+/// publishers are sent to ign-transport while it has subscribers; messages published on ign-transport are delivered to
+/// the transport's own subscriptions. For the simulation's thread, on which no function of the library is called. Must
+/// not outlive the transport.
 class Bridge {
  public:
-  /// @param log Must outlive it.
-  /// @param address The address at which this process uses ign-transport.
+  /// @param log Must outlive this.
+  /// @param address IPv4 address at which this process uses ign-transport.
   Bridge(const Node& simulation, const Logger& log, const std::string& address);
   ~Bridge();
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
 
-  /// Call in each step: handles topics, services and subscribers that have been added or removed.
+  /// To be called in each step: handles topics, services and subscribers that were added or removed.
   void update();
 
  private:

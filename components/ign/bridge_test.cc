@@ -35,7 +35,7 @@ StringMsg textOf(const std::string& content) {
 
 constexpr int kQueue = 20;
 
-/// A transport with a bridge, and peers in other processes.
+/// A transport with a bridge, and ign-transport programs in other processes.
 class BridgeTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -111,7 +111,7 @@ TEST_F(BridgeTest, HoldsNoMoreThanTheQueueForAListenerThatIsStopped) {
   stopped->kill(SIGSTOP);
   for (int i = 0; i < 10 * kQueue; ++i) {
     publisher.publish(ignition::msgs::Image(), bulk);
-    // messages queued for the courier do not count as the library's
+    // messages still queued for the courier's thread are not in ZeroMQ's queues
     EXPECT_TRUE(stepUntil([] { return Payload::total() < (2 * kQueue + 10) * kSize; }));
   }
   EXPECT_TRUE(stepUntil([] { return Payload::total() < (kQueue + 10) * kSize; }));
@@ -154,7 +154,7 @@ TEST_F(BridgeTest, BringsInTypesThatWereNotKnownBefore) {
 }
 
 TEST_F(BridgeTest, CarriesNothingOnAndNothingBack) {
-  // a topic in both directions, and another carrier
+  // a topic with a publisher and a subscription in the world, and a publisher and a subscription that relay messages
   Publisher publisher = node_.advertise<StringMsg>("/both");
   Publisher carrier = node_.advertise<StringMsg>("/both", {.relays = true});
   std::vector<std::string> heard, carried;
@@ -168,7 +168,7 @@ TEST_F(BridgeTest, CarriesNothingOnAndNothingBack) {
   carrier.publish(textOf("carried"));
   EXPECT_TRUE(stepUntil([&] { return heard.size() == 2; }));
   EXPECT_TRUE(carried.empty());
-  // only the speaker's message has arrived there, until the world publishes
+  // the other process has received only its own message, until the world publishes one
   const auto count = [&] {
     std::size_t lines = 0;
     const std::string text = listener->output();
@@ -213,7 +213,7 @@ TEST_F(BridgeTest, ReachesServicesWithoutAnAnswer) {
   const auto server = peer({"serve-one-way", "/told"});
   step();
   ignition::msgs::Empty none;
-  // the call is possible once discovery has found it
+  // the call succeeds once discovery has found the service
   EXPECT_TRUE(test::waitUntil(
       [&] { return node_.call("/told", textOf("ab"), none, std::chrono::seconds(20)).outcome == CallOutcome::kDone; }));
   EXPECT_TRUE(server->waitForOutput("ab"));
@@ -224,7 +224,7 @@ TEST_F(BridgeTest, EndsWhileACallerWaits) {
       node_.serve<StringMsg, StringMsg>("/never", [](const StringMsg&, StringMsg&) { return true; });
   auto other = std::make_unique<Bridge>(node_, log_, "127.0.0.1");
   other->update();
-  // the simulation does not dispatch
+  // the request is never dispatched, so it stays unanswered
   const auto caller = peer({"call", "/never", "a"}, "");
   std::this_thread::sleep_for(std::chrono::milliseconds(10));
   other.reset();

@@ -29,7 +29,7 @@ bool isDiscovery(int handle) {
   return port == library().msgDiscPort || port == library().srvDiscPort;
 }
 
-/// @return This machine's addresses, which clients with default settings use.
+/// @return The addresses of this machine: clients with default settings send from one of them.
 shared::Senders ownSenders() {
   shared::Senders own;
   for (const NetworkInterface& each : networkInterfaces()) own.addresses.push_back(inet_addr(each.address.c_str()));

@@ -2,8 +2,8 @@
 
 namespace pongsim::ign {
 
-/// Makes the kernel drop packets from other machines to ign-transport's discovery in this process, which listens on all
-/// addresses regardless of where it is told to send.
+/// Attaches a kernel filter to the sockets of ign-transport's discovery in this process, which drops packets from other
+/// machines. These sockets receive on all interfaces, whatever address the library is told to use.
 /// @return The number of sockets.
 int closeDiscoveryToOthers();
 

@@ -16,14 +16,14 @@ namespace {
 TEST(ClosedSockets, AreThoseOfDiscoveryWhichHearThisMachine) {
   setenv("IGN_IP", "127.0.0.1", 1);
   library();
-  // for messages and for services
+  // one socket for messages, one for services
   const int before = closeDiscoveryToOthers();
   EXPECT_GE(before, 2);
   Heartbeats heartbeats("127.0.0.1");
   EXPECT_EQ(closeDiscoveryToOthers(), before + 1);
   const std::string beat = packetOf("neighbour", ignition::msgs::Discovery::HEARTBEAT);
   EXPECT_TRUE(sayToGroup(beat, library().discoveryIP, library().msgDiscPort));
-  // a process without any packet would still be listed
+  // a process that sends no heartbeat would also count as alive at first
   EXPECT_TRUE(test::waitUntil([&] {
     heartbeats.read();
     return !heartbeats.isAlive("neighbour", Heartbeats::Clock::now() + std::chrono::seconds(11));

@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostParcels = 10'000;
 constexpr std::size_t kMostBytes = 64 << 20;
-// Limit of the messages in ZeroMQ's queues for stopped subscribers, over all topics.
+// Limit of all payloads that exist, including those in ZeroMQ's queues for stopped subscribers [bytes].
 constexpr std::size_t kMostHeld = 512 << 20;
 // Interval of checks for new subscribers.
 constexpr std::chrono::milliseconds kLookPeriod{20};
@@ -86,7 +86,7 @@ void Courier::work() {
       parcels.swap(parcels_);
       waitingBytes_ = 0;
     }
-    // before the tasks: a topic may be closed by one of them
+    // messages first, because a task may close their topic
     deliver(parcels);
     for (const std::function<void()>& task : tasks) task();
     tasks.clear();

@@ -19,30 +19,30 @@
 
 namespace pongsim::ign {
 
-/// The thread that calls ign-transport, whose locks others hold for 100 ms and more: the simulation never waits for it.
-/// If more than 10,000 messages or 64 MiB are queued, the oldest are dropped, with a warning.
+/// The thread that calls ign-transport: other threads hold the library's locks for 100 ms and more, and the simulation
+/// must not wait for them. If more than 10,000 messages or 64 MiB are queued, the oldest are dropped, with a warning.
 class Courier {
  public:
   /// @param heardChanged Called on the courier's thread when a topic has got its first subscriber or lost its last one.
-  /// @param address The address at which this process uses ign-transport.
+  /// @param address IPv4 address at which this process uses ign-transport.
   Courier(const Logger& log, const std::string& address, std::function<void()> heardChanged);
-  /// Finishes the queued work first.
+  /// Finishes all queued messages and tasks.
   ~Courier();
   Courier(const Courier&) = delete;
   Courier& operator=(const Courier&) = delete;
 
-  /// Queues a task for the thread. Returns immediately.
+  /// Queues a task for the courier's thread. Returns immediately.
   void post(std::function<void()> task);
 
-  /// Advertises the topic, and from then on checks for subscribers.
+  /// Advertises the topic on the courier's thread, and from then on checks for its subscribers.
   void open(std::shared_ptr<OutgoingTopic> topic);
-  /// Also closes it on the courier's thread, because that may wait for the library.
+  /// Unadvertises the topic, and releases it on the courier's thread, because its destructor may wait for the library.
   void close(std::shared_ptr<OutgoingTopic> topic);
 
   /// Queues a message. Returns immediately.
   void send(const std::shared_ptr<OutgoingTopic>& topic, Payload payload);
 
-  /// @return Number of messages dropped so far, not counting those that ZeroMQ drops for slow subscribers.
+  /// @return The number of messages dropped so far, without those that ZeroMQ drops for slow subscribers.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
@@ -71,7 +71,7 @@ class Courier {
   bool mustEnd_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::int64_t nextWarning_ = 0;
-  // starts last
+  // declared last: the thread uses the members above
   std::thread thread_;
 };
 

@@ -28,7 +28,7 @@ class CourierTest : public testing::Test {
 TEST_F(CourierTest, DropsTheOldestWithoutHoldingUpWhoSends) {
   const std::size_t before = Payload::total();
   {
-    // as if other threads of the library held it up
+    // blocks the courier's thread, as the library's locks may do
     std::promise<void> begun, end;
     courier_.post([&begun, ended = end.get_future().share()] {
       begun.set_value();
@@ -44,7 +44,7 @@ TEST_F(CourierTest, DropsTheOldestWithoutHoldingUpWhoSends) {
     EXPECT_LE(Payload::total() - before, (64U << 20) + (1 << 20));
     end.set_value();
   }
-  // there is no subscriber
+  // discarded, because the topic has no subscriber
   EXPECT_TRUE(test::waitUntil([&] { return Payload::total() == before; }));
 }
 

@@ -16,14 +16,15 @@ namespace pongsim::ign {
 
 namespace {
 
-// Processes announce themselves every second; on a busy machine they may be late.
+// Time without a heartbeat after which a process counts as ended: ten periods of the library, because a busy machine
+// may delay heartbeats.
 constexpr std::chrono::seconds kSilence{10};
-// Invented processes must not use up memory.
+// Limits for memory and time: anybody can send heartbeats of processes that do not exist.
 constexpr std::size_t kMostProcesses = 10'000;
 constexpr int kMostAtOnce = 1000;
 
-/// @return A socket that receives from the group through that address, or -1. It is bound to the group, so it does not
-/// receive what is sent to the library's socket alone.
+/// @return A socket that receives packets to the discovery's multicast group on the interface with this address, or -1.
+/// It is bound to the group's address, so it takes no unicast packets from the library's socket.
 int openGroup(const std::string& address) {
   const auto& shared = library();
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -56,7 +57,7 @@ void Heartbeats::read() {
   for (int i = 0; socket_ >= 0 && i < kMostAtOnce; ++i) {
     const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
     if (size < 0) return;
-    // the packet is preceded by its length
+    // a packet begins with its length in 2 bytes
     std::uint16_t length = 0;
     if (size < static_cast<ssize_t>(sizeof length)) continue;
     std::memcpy(&length, packet.data(), sizeof length);

@@ -6,23 +6,23 @@
 
 namespace pongsim::ign {
 
-/// Tracks which other processes still announce themselves, as all do once a second. The library itself counts killed
-/// processes as subscribers for ever. For one thread at a time.
+/// Tracks which other processes are alive, by ign-transport's heartbeats, which each process multicasts once a second.
+/// The library itself keeps killed processes as subscribers for ever. For one thread at a time.
 class Heartbeats {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Listens on the same port as this process's discovery.
-  /// @param address The address at which this process uses ign-transport.
+  /// Receives on the port of this process's discovery.
+  /// @param address IPv4 address at which this process uses ign-transport.
   explicit Heartbeats(const std::string& address);
   ~Heartbeats();
   Heartbeats(const Heartbeats&) = delete;
   Heartbeats& operator=(const Heartbeats&) = delete;
 
-  /// Reads what has arrived. Never blocks.
+  /// Reads all heartbeats that have arrived. Never blocks.
   void read();
 
-  /// @return Whether a process with this id was heard in the last 10 s, or never at all.
+  /// @return Whether a heartbeat of the process with this id arrived in the last 10 s, or none has ever arrived.
   bool isAlive(const std::string& process, Clock::time_point now = Clock::now()) const;
 
  private:

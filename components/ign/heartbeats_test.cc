@@ -20,12 +20,12 @@ std::string beatOf(const std::string& process) { return packetOf(process, igniti
 TEST(Heartbeats, TellsOfTheLivingAndTakesNoGarbage) {
   setenv("IGN_IP", "127.0.0.1", 1);
   Heartbeats heartbeats("127.0.0.1");
-  // an unknown process counts as alive
+  // a process without any heartbeat counts as alive
   EXPECT_TRUE(heartbeats.isAlive("somebody"));
   for (const char* garbage : {"", "x", "xy", "\x02\x01garbage"}) say(garbage);
   say(std::string("\x05\0", 2) + "\xff\xff\xff\xff\xff");
   say(beatOf("somebody"));
-  // multicast packets may be late on a busy machine
+  // a busy machine may delay multicast packets
   EXPECT_TRUE(test::waitUntil([&] {
     heartbeats.read();
     return !heartbeats.isAlive("somebody", Heartbeats::Clock::now() + std::chrono::seconds(11));

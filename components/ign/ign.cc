@@ -15,8 +15,8 @@ namespace pongsim::ign {
 
 namespace {
 
-// Limit of messages queued for a subscriber: Fortress's, and fewer in worlds with images or point clouds, so that a
-// stopped subscriber does not take gigabytes.
+// Limit of messages in ZeroMQ's queue for each subscriber: Fortress's value, and a lower one in worlds with images or
+// point clouds, where a stopped subscriber would otherwise take gigabytes.
 constexpr int kQueue = 1000;
 constexpr int kQueueWithPictures = 100;
 constexpr std::string_view kPictures[] = {
@@ -35,7 +35,7 @@ class Ign final : public System {
     try {
       place = placeOfEnvironment();
     } catch (const std::exception& error) {
-      // the run does not start
+      // an error in `configure`: the run does not start
       context.diagnostics.error(context.sdf.position, error.what());
       return;
     }
@@ -53,7 +53,7 @@ class Ign final : public System {
       context.log.warning("ign-transport is not secured, only DDS is");
     }
     bridge_.emplace(context.node, context.log, place.address);
-    // it has opened a further socket
+    // the bridge has opened another discovery socket
     if (!place.isOpen) closeDiscoveryToOthers();
   }
 

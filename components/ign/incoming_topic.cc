@@ -7,7 +7,7 @@ namespace pongsim::ign {
 
 namespace {
 
-// Messages of ever new types must not use up memory.
+// Limits for memory: a peer can publish messages of any number of types.
 constexpr std::size_t kMostTypes = 64;
 constexpr std::size_t kMostEarly = 64;
 
@@ -19,7 +19,7 @@ IncomingTopic::IncomingTopic(std::string topic, const Logger& log, std::function
     : name(std::move(topic)), log_(log), wake_(std::move(wake)) {}
 
 void IncomingTopic::subscribe() {
-  // a thread of the library may still run it after it has been unsubscribed
+  // a weak pointer, because a thread of the library may still call this after the unsubscription
   node_.SubscribeRaw(name, [topic = weak_from_this()](const char* data, std::size_t size,
                                                       const ignition::transport::MessageInfo& info) {
     if (const auto self = topic.lock()) {
@@ -55,7 +55,7 @@ void IncomingTopic::end() {
   early_.clear();
 }
 
-/// The caller holds the mutex.
+/// The mutex must be held by the caller.
 void IncomingTopic::open(Node& simulation, const std::string& type) {
   if (publishers_.contains(type)) return;
   try {

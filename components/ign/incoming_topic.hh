@@ -18,27 +18,29 @@
 
 namespace pongsim::ign {
 
-/// A topic on ign-transport that the world subscribes to: messages published there are passed to the world.
+/// A topic on ign-transport to which the world subscribes: its messages are passed to the world.
 class IncomingTopic : public std::enable_shared_from_this<IncomingTopic> {
  public:
-  /// @param wake Called on a thread of ign-transport when `openNewTypes` has work to do.
+  /// @param wake Called on a thread of ign-transport when a message of a new type has arrived: `openNewTypes` has to be
+  /// called.
   IncomingTopic(std::string name, const Logger& log, std::function<void()> wake);
 
   const std::string name;
 
-  // On the courier's thread.
+  // For the courier's thread.
 
   void subscribe();
   void unsubscribe();
 
-  // On the simulation's thread.
+  // For the simulation's thread.
 
-  /// Sets the types that the world subscribes to.
-  /// @param takesAny Whether it also takes all others.
+  /// Sets the message types to which the world subscribes.
+  /// @param takesAny Whether the world subscribes to messages of any type.
   void listenTo(Node& simulation, const std::set<std::string>& types, bool takesAny);
-  /// Opens newly seen types, if all types are taken.
+  /// If all types are taken, makes publishers for types that have arrived since the last call, and publishes their
+  /// messages.
   void openNewTypes(Node& simulation);
-  /// Ends the subscription: nothing reaches the world from then on.
+  /// Ends the subscription: no message is passed to the world after this call.
   void end();
 
  private:
@@ -58,9 +60,9 @@ class IncomingTopic : public std::enable_shared_from_this<IncomingTopic> {
   bool hasEnded_ = false;
   bool takesAny_ = false;
   std::map<std::string, Publisher> publishers_;
-  /// Messages that arrived before their type was opened.
+  /// Messages that arrived before there was a publisher for their type.
   std::deque<Early> early_;
-  /// Types without a subscriber, each reported once.
+  /// Types to which the world does not subscribe, each reported once.
   std::set<std::string> refused_;
 };
 

@@ -59,7 +59,7 @@ TEST_F(IncomingTopicTest, TellsTheWorldUntilItEnds) {
   topic_->end();
   EXPECT_TRUE(publisher.Publish(message));
   topic_->unsubscribe();
-  // a message published by the world arrives after it
+  // if the first message were delivered, it would arrive before this one
   node_.advertise<StringMsg>("/in").publish(message);
   EXPECT_TRUE(dispatchUntil([&] { return heard.size() > 1; }));
   EXPECT_EQ(heard.size(), 2U);

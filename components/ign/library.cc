@@ -2,7 +2,8 @@
 
 #include <functional>
 
-// Members of this class belong to the library: they must not be instantiated here a second time with hidden visibility.
+// Static members of this class are those of the library: an instantiation here, with hidden visibility, would duplicate
+// them.
 #pragma GCC visibility push(default)
 #include <ignition/transport/Discovery.hh>
 extern template class ignition::transport::Discovery<ignition::transport::MessagePublisher>;
@@ -16,7 +17,7 @@ using ignition::transport::MessagePublisher;
 using ignition::transport::NodeShared;
 using Discovery = ignition::transport::Discovery<MessagePublisher>;
 
-/// Defines `memberOf` as that member of the class. An explicit instantiation may access private members.
+/// Defines `memberOf(Name)` to return a pointer to a private member: an explicit instantiation may name one.
 template <class Name, auto kMember>
 struct Opened {
   friend constexpr auto memberOf(Name) { return kMember; }
@@ -30,14 +31,17 @@ struct Unregistration {
 template struct Opened<Registration, &Discovery::registrationCb>;
 template struct Opened<Unregistration, &Discovery::unregistrationCb>;
 
-/// The library's discovery threads run until the process ends. For each packet they copy two functions that are static
-/// members of their class, which `exit` has destroyed by then, with their heap memory. Functions that hold only a
-/// pointer can be copied and called after that.
+/// Replaces two functions of the library by equivalents that can be used after `exit`.
 ///
-/// The threads run already, and copy under the mutex of their `Discovery`: a packet within the nanoseconds of the two
-/// assignments below could meet half of one. That can't be mended from outside the library. Only `NodeSharedPrivate`
-/// has that object, whose header is not installed; the constructor of `NodeShared` sets the functions and starts the
-/// threads. The public setters would need another `Discovery`, with sockets of its own, and lock its mutex instead.
+/// The library's discovery threads run until the process ends. For each packet they copy two `std::function`s that are
+/// static members of their class, and that `exit` destroys, with their memory on the heap. Functions that hold only a
+/// pointer store it in place, so their bytes stay valid.
+///
+/// A data race remains. The threads run already, and copy the functions under the mutex of their `Discovery`; a packet
+/// in the nanoseconds of the two assignments below could copy a half-written function. That mutex can't be locked from
+/// here: only `NodeSharedPrivate`, whose header is not installed, has the object, and the constructor of `NodeShared`
+/// both sets the functions and starts the threads. The public setters belong to another `Discovery`, with its own
+/// sockets and mutex.
 void keepFunctionsThroughExit(NodeShared& shared) {
   NodeShared* const there = &shared;
   *memberOf(Registration()) = [there](const MessagePublisher& reader) { there->OnNewRegistration(reader); };

@@ -4,9 +4,9 @@
 
 namespace pongsim::ign {
 
-/// ign-transport's state shared by all nodes of a process, which exists from the first call to the end. All of this
-/// component's code gets it here before it creates a node; by then, what makes the library fail when the process exits
-/// has been worked around.
+/// @return ign-transport's state, which all nodes of a process share and which exists until the process ends. All code
+/// of this component must call this, rather than `NodeShared::Instance()`, before it creates a node: the first call
+/// works around a crash of the library when the process exits.
 ignition::transport::NodeShared& library();
 
 }  // namespace pongsim::ign

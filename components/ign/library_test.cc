@@ -22,7 +22,7 @@ TEST(Library, IsThereOnce) {
 }
 
 TEST(Library, EndsWithItsProcessWhateverIsSaidMeanwhile) {
-  // many short processes end in the midst of discovery packets from others, all on a port of their own
+  // many short processes exit while discovery packets arrive from the others; the port is used by this test only
   const int port = 20'000 + getpid() % 20'000;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
   std::atomic<bool> mustEnd = false;

@@ -6,11 +6,11 @@
 
 namespace pongsim::ign {
 
-/// The reply type of services that send no reply, by the rules of ign-transport.
+/// The reply type in ign-transport of services without a reply.
 inline constexpr std::string_view kNoReply = "ignition.msgs.Empty";
 
-/// @return The name of a topic or service on the wire, in this process's partition: "@/PARTITION@/clock"; nothing if it
-/// can't have one.
+/// @return The fully qualified name of a topic or service in this process's partition: "@/PARTITION@/clock"; nothing if
+/// the name is not valid.
 std::optional<std::string> wireName(const std::string& name);
 
 }  // namespace pongsim::ign

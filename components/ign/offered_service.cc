@@ -14,10 +14,11 @@ namespace pongsim::ign {
 
 namespace {
 
-// A system that is switched off does not answer, and ign-transport reads nothing else meanwhile.
+// Time limit for an answer: a system that is switched off never answers, and the library's thread reads nothing
+// meanwhile.
 constexpr std::chrono::seconds kPatience{10};
 
-/// The result of a request. Guarded by the service's mutex; the caller may have given up when it arrives.
+/// The result of a request. Guarded by the service's mutex; shared, because the requester may give up before it is set.
 struct Answer {
   bool isThere = false;
   bool isDone = false;

@@ -11,17 +11,17 @@
 
 namespace pongsim::ign {
 
-/// Handles ign-transport requests to a service of the world, whatever its types. The library calls it on its thread,
-/// which then waits for the simulation's answer, as Fortress's threads do.
+/// Handles ign-transport requests to a service of the world, whatever its types. The library calls it on a thread of
+/// its own, which waits for the simulation's answer, as in Fortress.
 class OfferedService final : public ignition::transport::IRepHandler {
  public:
-  /// @param simulation A copy of it is used on the library's thread.
+  /// @param simulation Copied, for use on the library's thread.
   OfferedService(const Node& simulation, OwnService service);
 
   const OwnService& service() const { return service_; }
 
-  /// Releases the waiting requests: the simulation will not answer any more. Returns when none is left. For the
-  /// simulation's thread.
+  /// Ends the waits for answers, which will not come any more, and returns when no thread waits. For the simulation's
+  /// thread.
   void end();
 
   bool RunLocalCallback(const ignition::transport::ProtoMsg& request, ignition::transport::ProtoMsg& reply) override;

@@ -21,7 +21,8 @@ class OfferedServiceTest : public testing::Test {
     const std::vector<OwnService> all = node_.ownServices();
     return *std::ranges::find(all, name, &OwnService::name);
   }
-  /// The result of a request on a thread of the library: the text of the response, or "refused".
+  /// Makes a request on another thread, as the library does.
+  /// @return The text of the response, or "refused".
   std::string ask(OfferedService& service, const std::string& bytes) {
     std::future<std::string> answer = std::async(std::launch::async, [&] {
       std::string reply;
@@ -67,7 +68,7 @@ TEST_F(OfferedServiceTest, LetsGoOfWhoWaitsWhenItEnds) {
     std::string reply;
     return service.RunCallback(bytesOf("ab"), reply);
   });
-  // the simulation does not dispatch
+  // the request is never dispatched, so only `end` releases it
   service.end();
   EXPECT_FALSE(answer.get());
   std::string reply;

@@ -29,7 +29,7 @@ bool OutgoingTopic::look(const Heartbeats& heartbeats) {
   return isHeard.exchange(isHeardNow) != isHeardNow;
 }
 
-/// Unlike Publisher::HasConnections, it leaves out subscribers in this process, and killed processes.
+/// Unlike `Publisher::HasConnections`, ignores subscribers in this process, and those of processes that have ended.
 bool OutgoingTopic::hasListeners(const Heartbeats& heartbeats) const {
   auto& shared = library();
   const std::lock_guard lock(shared.mutex);

@@ -10,16 +10,16 @@
 
 namespace pongsim::ign {
 
-/// A topic of the world on ign-transport. For the courier's thread, unless noted otherwise.
+/// A topic of the world that is published on ign-transport. For the courier's thread, unless noted otherwise.
 class OutgoingTopic {
  public:
-  /// For any thread: has no effect yet.
+  /// For any thread: does not call the library.
   OutgoingTopic(std::string name, std::string type);
 
   const std::string name;
   const std::string type;
 
-  /// Whether there are subscribers, as of the last `look`. For any thread.
+  /// Whether there are subscribers, as of the last `look`. May be read on any thread.
   std::atomic<bool> isHeard = false;
 
   /// @return False on failure; the library then prints an error on stderr.
@@ -30,7 +30,7 @@ class OutgoingTopic {
   /// @return Whether `isHeard` has changed.
   bool look(const Heartbeats& heartbeats);
 
-  /// Sends the bytes without copying them. Subscribers that can't keep up miss messages.
+  /// Sends the bytes without copying them. ZeroMQ drops messages for subscribers that are too slow.
   void send(Payload payload);
 
  private:

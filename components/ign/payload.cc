@@ -8,7 +8,7 @@ namespace pongsim::ign {
 
 namespace {
 
-// The size is stored in front of the bytes, which are aligned like malloc's.
+// The size is stored before the bytes, which keep malloc's alignment.
 constexpr std::size_t kHead = alignof(std::max_align_t);
 
 std::atomic<std::size_t>& totalBytes() {

@@ -7,7 +7,7 @@
 
 namespace pongsim::ign {
 
-/// A serialized message on the heap, in a form that ZeroMQ can take over without copying.
+/// A serialized message on the heap, whose memory can be passed to ZeroMQ without a copy.
 class Payload {
  public:
   /// @throws std::bad_alloc
@@ -25,7 +25,7 @@ class Payload {
 
   /// Releases ownership; the new owner must call `free`.
   char* release() { return static_cast<char*>(std::exchange(data_, nullptr)); }
-  /// In the form required by ZeroMQ.
+  /// Has the signature of ZeroMQ's `zmq_free_fn`.
   static void free(void* data, void* hint);
 
   /// @return The total size of all existing payloads, released or not [bytes].

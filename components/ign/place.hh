@@ -5,7 +5,7 @@
 
 namespace pongsim::ign {
 
-/// Where a process can be reached by ign-transport.
+/// The address and partition of a process on ign-transport.
 struct Place {
   /// IPv4 address of this machine.
   std::string address;

@@ -17,7 +17,7 @@ namespace {
 using ignition::transport::ServicePublisher;
 using ignition::transport::Uuid;
 
-/// A service that other processes offer under that name.
+/// @return The services with this name that other processes offer.
 std::vector<ServicePublisher> offersOf(const std::string& wireName) {
   std::map<std::string, std::vector<ServicePublisher>> byProcess;
   std::vector<ServicePublisher> offers;
@@ -31,7 +31,7 @@ std::vector<ServicePublisher> offersOf(const std::string& wireName) {
 
 }  // namespace
 
-/// A request in the form that the library needs, for any types.
+/// A request of any type, as an object of the library's interface.
 class RemoteCalls::Request final : public ignition::transport::IReqHandler {
  public:
   struct Answer {
@@ -89,7 +89,7 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   auto& shared = library();
   const std::vector<ServicePublisher> offers = offersOf(*name);
   if (offers.empty()) {
-    // a retry may find it
+    // starts a discovery, so that a later call may find the service
     shared.DiscoverService(*name);
     return std::nullopt;
   }

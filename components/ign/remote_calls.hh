@@ -11,7 +11,7 @@
 
 namespace pongsim::ign {
 
-/// Calls from the world to services offered by ign-transport nodes. For any thread.
+/// Calls of the world to services of other processes on ign-transport. For any thread.
 class RemoteCalls {
  public:
   RemoteCalls();
@@ -20,12 +20,12 @@ class RemoteCalls {
   std::optional<CallResult> call(const std::string& service, const Message& request, Message& reply,
                                  std::chrono::nanoseconds timeout);
 
-  /// Releases the waiting callers.
+  /// Ends the waits of all calls.
   void end();
 
  private:
   class Request;
-  /// State that the library's thread may still use after everything else has been destroyed.
+  /// Shared with requests, because the library's thread may use it after this object has been destroyed.
   struct Shared {
     std::mutex mutex;
     std::condition_variable changed;

@@ -2,12 +2,12 @@
 
 namespace pongsim::ign {
 
-/// Records that a handler is about to return a reply. The library sends it afterwards on its own thread: it first
-/// connects to the requester, which takes 100 ms, and does not report completion. For any thread.
+/// Records that a handler is about to return a reply. The library sends the reply afterwards, on its own thread: it
+/// first connects to the requester, which takes 100 ms, and it does not report completion. For any thread.
 void replyGiven();
 
-/// Waits until the last reply has had half a second to be sent, so that it is not lost if the process exits on request.
-/// Returns immediately if there was none recently. For any thread.
+/// Waits until half a second has passed since the last reply was returned, so that the reply to a request that ends the
+/// process is sent. Returns immediately if that is long ago. For any thread.
 void awaitReplies();
 
 }  // namespace pongsim::ign

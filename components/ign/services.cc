@@ -14,10 +14,10 @@ namespace pongsim::ign {
 
 namespace {
 
-/// @return The node's id, by which the library assigns services and which it does not expose: that of a temporary
-/// service that is visible in this process only.
+/// @return The node's id. The library assigns services to nodes by it but does not expose it, so it is read from a
+/// temporary service that is visible in this process only.
 std::string uuidOf(ignition::transport::Node& node) {
-  // nodes of several worlds may do this at the same time
+  // atomic, because nodes of several worlds may be created at the same time
   static std::atomic<int> count = 0;
   const std::string name = "/pongsim/node" + std::to_string(++count);
   ignition::transport::AdvertiseServiceOptions options;
@@ -41,7 +41,7 @@ std::string uuidOf(ignition::transport::Node& node) {
 
 Services::Services() : nodeUuid_(uuidOf(node_)) {}
 
-// Like Node::Advertise, which needs the types at compile time.
+// Like `Node::Advertise`, for types that are not known at compile time.
 void Services::advertise(const std::shared_ptr<OfferedService>& service) {
   const OwnService& offered = service->service();
   const std::optional<std::string> name = wireName(offered.name);

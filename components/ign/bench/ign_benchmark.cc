@@ -134,7 +134,7 @@ void waitFor(const std::function<bool()>& condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// Connections are ready shortly after discovery.
+// After discovery, ZeroMQ takes a moment to connect.
 void settleDown() { std::this_thread::sleep_for(std::chrono::milliseconds(500)); }
 
 int sayNatively(int kind) {
@@ -156,7 +156,7 @@ int sayNatively(int kind) {
   return 0;
 }
 
-/// A transport without DDS, and the bridge.
+/// A transport without DDS, with a bridge to ign-transport.
 struct Bridged {
   Bridged() { bridge.update(); }
   Transport transport{{.network = false}};
@@ -221,7 +221,7 @@ double nanosecondsOf(const std::function<void()>& call) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kIdleSteps;
 }
 
-/// Cost of a step without ign-transport subscribers.
+/// Measures the cost of a step without ign-transport subscribers.
 void measureIdle() {
   Transport plain({.network = false});
   Node plainNode = plain.node();

@@ -1,4 +1,4 @@
-"""What the tests of ign-transport share: a running world, clients of Fortress, and their partition."""
+"""Helpers for tests of ign-transport: a running world, Fortress's clients, and their partition."""
 
 import contextlib
 import os
@@ -25,16 +25,16 @@ DOMAIN = take_domain()
 ENVIRONMENT = {
     **{name: value for name, value in os.environ.items() if not name.startswith("IGN_")},
     "PONGSIM_DOMAIN": str(DOMAIN),
-    # a domain of this process's own
+    # a partition of this process's own
     "IGN_PARTITION": f"pongsim_test_{DOMAIN}_{os.getpid()}",
     "IGN_IP": "127.0.0.1",
-    # the address sanitizer keeps up to 256 MB of what was freed, which is no growth of the simulation's
+    # the address sanitizer's quarantine, by default 256 MB of freed memory, would look like growth of the simulation
     "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1",
 }
 
 
 def until(condition, what):
-    """Waits until the condition returns something true, and returns that."""
+    """Waits until the condition returns a true value, and returns it."""
     end = time.monotonic() + DEADLINE
     while time.monotonic() < end:
         if value := condition():
@@ -44,19 +44,20 @@ def until(condition, what):
 
 
 def ended(*words, environment=None):
-    """A finished command."""
+    """Runs a command, and returns it with exit code and output."""
     return subprocess.run([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
                           capture_output=True, text=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
 
 
 def run(*words, environment=None):
-    """The output of a command."""
+    """Runs a command that must succeed, and returns its output."""
     result = ended(*words, environment=environment)
     assert result.returncode == 0, f"{words}: {result.returncode}\n{result.stdout}{result.stderr}"
     return result.stdout
 
 
-# How long a client of services waits [ms]: longer than a busy machine takes, and short enough to be asked again.
+# How long a client of a service waits for the response [ms]: longer than a busy machine takes, and short enough to try
+# again.
 PATIENCE = ("--timeout", "20000")
 
 # The programs behind `ign topic` and `ign service`. Debian 12's `ign` itself looks for them in another folder.
@@ -64,22 +65,22 @@ CLIENTS = pathlib.Path("/usr/libexec/ignition/transport11")
 
 
 def client(name):
-    """The program behind `ign NAME`."""
+    """The path of the program that `ign NAME` runs."""
     return CLIENTS / f"ign-transport-{name}"
 
 
 def has_crashed(result):
-    """Whether a client crashed at exit, when its work was done (../README.md)."""
+    """Whether a client crashed at exit, after it had done its work (../README.md)."""
     return result.returncode == -signal.SIGSEGV
 
 
 def has_no_answer(result):
-    """Whether a client waited in vain, since its request or the answer got lost (../README.md)."""
+    """Whether a client got no response, because ign-transport lost it or the request (../README.md)."""
     return "timed out" in result.stdout + result.stderr
 
 
 def ign(name, *words):
-    """The output of Fortress's own client, which is run again if it crashes or waits in vain."""
+    """The output of Fortress's own client, which is run again if it crashes or gets no response."""
     def result():
         client_ended = ended(client(name), *words)
         return None if has_crashed(client_ended) or has_no_answer(client_ended) else client_ended
@@ -90,7 +91,7 @@ def ign(name, *words):
 
 
 def call_once(service, request_type, request, is_done):
-    """Calls a service that must not be called twice: again only if no answer came and it is not done."""
+    """Calls a service that must not be called twice: again only if there is no response and no effect."""
     def is_called():
         result = ended(client("service"), "-s", service, "--reqtype", request_type, "--reptype", "ignition.msgs.Boolean",
                        *PATIENCE, "--req", request)
@@ -103,7 +104,7 @@ def call_once(service, request_type, request, is_done):
 
 
 def listed(what, names):
-    """The list of Fortress's client, once it has all of these. It lists what it discovers within a second."""
+    """The list of Fortress's client, once it has all of `names`. A client discovers for one second."""
     def there():
         lines = ign(what, "-l").split()
         return lines if names <= set(lines) else None
@@ -112,12 +113,12 @@ def listed(what, names):
 
 
 def described(what, option, name, pattern):
-    """Waits until Fortress's client prints this about a topic or a service."""
+    """Waits until the description that Fortress's client prints of a topic or service matches the pattern."""
     until(lambda: re.search(pattern, ign(what, "-i", option, name)), f"'{pattern}' of {name}")
 
 
 class Running:
-    """A program whose output is read while it runs."""
+    """A running program, whose output can be read at any time."""
 
     def __init__(self, *words, environment=None):
         self.process = subprocess.Popen([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
@@ -142,7 +143,7 @@ class Running:
         return until(found, f"'{pattern}' of {self.process.args}; it said: {self.text[-2000:]}")
 
     def finish(self):
-        """Interrupts it and returns all its output."""
+        """Interrupts the program, and returns all of its output."""
         self.process.send_signal(signal.SIGINT)
         os.set_blocking(self.process.stdout.fileno(), True)
         rest, _ = self.process.communicate(timeout=DEADLINE)
@@ -172,20 +173,20 @@ def running(*words, environment=None):
 
 @contextlib.contextmanager
 def world(path, *options, environment=None):
-    """A world on ign-transport."""
+    """Runs a world with ign-transport."""
     with running(PONGSIM, "run", path, "--ign", *options, environment=environment) as simulation:
         until(lambda: "/clock" in run(PONGSIM, "topic", "-l"), "the world")
         yield simulation
 
 
 def resident(pid):
-    """Memory of a process in megabytes."""
+    """The resident memory of a process [MB]."""
     status = pathlib.Path(f"/proc/{pid}/status").read_text()
     return int(re.search(r"VmRSS:\s+(\d+)", status).group(1)) / 1024
 
 
 def steps(world_name):
-    """Number of steps that a world has made."""
+    """The number of steps that a world has made."""
     text = run(PONGSIM, "topic", "-e", "-t", f"/world/{world_name}/stats", "-n", "1")
     match = re.search(r"^iterations: (\d+)", text, re.MULTILINE)
     return int(match.group(1)) if match else 0

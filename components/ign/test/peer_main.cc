@@ -1,4 +1,4 @@
-// A process for the tests that uses ign-transport and nothing of pongsim.
+// A program for the tests that uses ign-transport, and nothing of pongsim.
 //   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and their number when it is interrupted
 //   ign_peer statistics TOPIC TYPE    prints "numbered" when it receives messages that are numbered and stamped
 //   ign_peer raw TOPIC                prints the type of each message
@@ -36,7 +36,7 @@ void say(const std::string& line) {
 }
 
 int listen(Node& node, const std::string& topic, const std::string& type) {
-  // the library's threads go on until the end of the process
+  // static, because the library's threads run until the process ends
   static std::atomic<int> count = 0;
   node.SubscribeRaw(
       topic,
@@ -112,8 +112,7 @@ int call(Node& node, const std::string& name, const std::string& text) {
   StringMsg request, reply;
   request.set_data(text);
   bool isDone = false;
-  // A server of ign-transport waits 0.1 s for its connection to a new client. On a busy machine that is not enough, and
-  // the first reply is lost.
+  // The library waits 0.1 s for its connection to a new client, and loses the reply if a busy machine takes longer.
   for (int attempt = 0; attempt < 5; ++attempt) {
     if (!node.Request(name, request, 10'000, reply, isDone)) continue;
     say(isDone ? reply.data() : "refused");
@@ -136,7 +135,7 @@ int callOneWay(Node& node, const std::string& name, const std::string& text) {
 int publish(Node& node, const std::string& topic, const std::vector<std::string>& texts) {
   Node::Publisher publisher = node.Advertise<StringMsg>(topic);
   while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  // connections are ready shortly after discovery, those of other subscribers a little later
+  // after discovery, ZeroMQ takes a moment to connect; to further subscribers a little longer
   std::this_thread::sleep_for(std::chrono::seconds(1));
   for (const std::string& text : texts) {
     StringMsg message;
@@ -169,7 +168,7 @@ int act(const std::vector<std::string>& arguments) {
 
 int main(int count, char** words) {
   const int code = act({words + 1, words + count});
-  // not exit: the library's threads still run, and would use what it destroys
+  // not exit, which destroys what the library's threads still use
   std::fflush(nullptr);
   std::_Exit(code);
 }

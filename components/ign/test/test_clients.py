@@ -41,7 +41,7 @@ class Clients(unittest.TestCase):
                     peer.end()
                 steps_on(self)
                 handles.append(len(list(pathlib.Path(f"/proc/{simulation.pid}/fd").iterdir())))
-            # sockets of the last ones may still exist
+            # sockets of the last clients may still exist
             self.assertLessEqual(handles[-1], handles[0] + 8)
 
     def test_a_stopped_reader_holds_up_nobody(self):
@@ -73,7 +73,7 @@ class Clients(unittest.TestCase):
                 body = bytes((seed >> (i % 23)) & 255 for i in range(length))
                 for port in DISCOVERY[1:]:
                     noise.sendto(body, (DISCOVERY[0], port))
-                    # with a matching length prefix, as the protocol requires
+                    # with the right length prefix, so that it is passed to the parser of protobuf
                     noise.sendto(length.to_bytes(2, "little") + body, (DISCOVERY[0], port))
             steps_on(self)
             self.listening("/clock", "ignition.msgs.Clock")
@@ -86,7 +86,8 @@ class Clients(unittest.TestCase):
             with world(WORLD), running(PONGSIM, "run", other, "--ign") as second:
                 first = self.listening("/world/pong_world/clock", "ignition.msgs.Clock")
                 self.listening("/world/other/clock", "ignition.msgs.Clock")
-                # each drives its own robot, and neither says again what the other says: one key, one Twist of each
+                # each world publishes for its own robot, and does not repeat what the other publishes: one Twist of
+                # each per key
                 twists = Running(PEER, "raw", "/cmd_vel")
                 self.addCleanup(twists.end)
                 twists.wait_for("ready")

@@ -1,4 +1,4 @@
-"""Nothing from another machine, simulated by a network namespace, gets in without permission."""
+"""Packets from another machine, simulated by a network namespace, are dropped unless the world is open to it."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ from ign_world import PEER, ROOT, client, needs_ign, run, running, world
 
 HERE, THERE = "198.51.100.1", "198.51.100.2"
 NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
-# In namespaces of its own, where any user may create interfaces.
+# Runs in its own user and network namespaces, in which any user may create interfaces.
 SET_UP = f"""
 set -e
 mount -t tmpfs none /run
@@ -25,7 +25,7 @@ ip netns exec other ip address add {THERE}/24 dev there
 ip netns exec other ip link set there up
 exec "$@"
 """
-# To discovery, directly and by its group.
+# Packets to the discovery sockets: unicast and multicast.
 NOISE = f"""
 import socket, sys
 noise = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -38,13 +38,13 @@ for i in range(10):
 
 
 def drops(port):
-    """Packets that the sockets at a port have dropped."""
+    """The number of packets that the sockets at a port have dropped."""
     lines = [line.split() for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]]
     return sum(int(line[-1]) for line in lines if line[1].endswith(f":{port:04X}"))
 
 
 class Inside(unittest.TestCase):
-    """Runs within the namespaces."""
+    """Tests that run within the namespaces."""
 
     def test_noise_of_another_machine_is_dropped_and_clients_here_are_met(self):
         with world(ROOT / "worlds/pong_world.sdf", environment={"IGN_IP": ""}):
@@ -54,17 +54,17 @@ class Inside(unittest.TestCase):
             run("ip", "netns", "exec", "other", sys.executable, "-c", NOISE, THERE)
             self.assertGreaterEqual(drops(10317), before[0] + 10)
             self.assertGreaterEqual(drops(10318), before[1] + 10)
-            # with default settings, which speak at the network's address
+            # a client with default settings, which sends from the network interface's address
             with running(PEER, "listen", "/clock", "ignition.msgs.Clock", environment={"IGN_IP": ""}) as listener:
                 listener.wait_for("heard")
-            # and from the other machine there is nobody to be found
+            # the other machine discovers no topics
             if client("topic").exists():
                 there = run("ip", "netns", "exec", "other", client("topic"), "-l", environment={"IGN_IP": ""})
                 self.assertNotIn("/clock", there)
 
     @needs_ign
     def test_a_relay_reaches_another_machine(self):
-        # so that multicast does not
+        # another multicast group, so that discovery works only by the relay
         apart = {"IGN_IP": HERE, "IGN_DISCOVERY_MULTICAST_IP": "239.255.0.8"}
         there = {"IGN_IP": THERE}
         other = ("ip", "netns", "exec", "other")
@@ -80,7 +80,7 @@ class Closed(unittest.TestCase):
         environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
         if not shutil.which("ip", path=environment["PATH"]) or not shutil.which("unshare"):
             self.skipTest("iproute2 or unshare is not installed")
-        # not in a chroot, and not in every container
+        # not allowed in a chroot, nor in every container
         may = subprocess.run([*NAMESPACES, "true"], env=environment, capture_output=True, text=True, timeout=60)
         if may.returncode != 0:
             self.skipTest(f"no namespaces can be made here: {may.stderr.strip()}")

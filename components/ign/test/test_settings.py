@@ -1,4 +1,4 @@
-"""Settings of ign-transport from a world's file and the environment."""
+"""Settings of ign-transport in a world's file and in the environment."""
 
 import pathlib
 import tempfile
@@ -53,7 +53,7 @@ class Settings(unittest.TestCase):
             self.peer("listen", *CLOCK, environment=known).wait_for("heard")
             self.assertNotIn("arrived by ign-transport", simulation.output())
             self.peer("publish", "/cmd_vel", "no Twist", environment=known)
-            # which a world says that hears it
+            # a world reports messages of a wrong type, which shows that it has received one
             simulation.wait_for("messages of ignition.msgs.StringMsg arrived by ign-transport")
             for stranger in strangers:
                 self.assertNotIn("heard", stranger.output())

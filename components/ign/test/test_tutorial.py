@@ -17,7 +17,7 @@ def position():
 
 
 def publish(topic, kind, content):
-    """Publishes with Fortress's client. It exits so early that messages may be lost: repeats until there is an effect."""
+    """Publishes with Fortress's client, which may exit before the message is sent: repeat it until it has an effect."""
     ign("topic", "-t", topic, "-m", f"ignition.msgs.{kind}", "-p", content)
 
 
@@ -37,7 +37,7 @@ class MovingRobot(unittest.TestCase):
         names = {ODOMETRY, "/clock", "/stats", "/cmd_vel", *(f"/world/Moving_robot/{name}" for name in (
             "clock", "stats", "pose/info", "dynamic_pose/info", "scene/info", "state"))}
         topics = listed("topic", names)
-        # it only has subscribers, and Fortress does not list it either
+        # the world only subscribes to it; Fortress does not list such topics either
         self.assertNotIn("/keyboard/keypress", topics)
         described("topic", "-t", ODOMETRY, r"Publishers \[Address, Message Type\]:\n"
                                            r"  tcp://127\.0\.0\.1:\d+, ignition\.msgs\.Odometry\n")
@@ -57,7 +57,7 @@ class MovingRobot(unittest.TestCase):
             return position() > before + 0.1
 
         until(moved, "the robot to move")
-        # the tutorial's arrow key: a message to the world, which publishes a Twist, which drives
+        # an arrow key of the tutorial: a message to the world, whose system publishes a Twist, which drives the robot
         with running(client("topic"), "-e", "-t", "/cmd_vel") as echo:
             def turned():
                 publish("/keyboard/keypress", "Int32", "data: 16777234")
@@ -65,8 +65,8 @@ class MovingRobot(unittest.TestCase):
             until(turned, "the Twist of a key")
 
     def test_a_program_for_fortress_drives_it(self):
-        # Farther, on a busy machine, where the driver is late to stop it. Where ign-transport has had no time to tell of
-        # itself for three seconds, others forget it, and the driver gives up after a minute.
+        # On a busy machine the driver stops the robot late, so it goes farther than 1 m. If ign-transport can't send
+        # heartbeats for three seconds, other processes forget it, and the driver gives up after a minute.
         until(lambda: re.search(r"went [1-9]\d*\.\d+ m", ended(DRIVER).stdout), "the robot to go a metre")
 
     def test_absurd_commands_are_refused(self):
@@ -94,7 +94,7 @@ class MovingRobot(unittest.TestCase):
         call_once("/world/Moving_robot/create", "ignition.msgs.EntityFactory",
                   "sdf: \"<sdf version='1.9'><model name='box'><link name='link'/></model></sdf>\"", is_there)
         until(is_there, "the box")
-        # what `ign model` asks for
+        # the request that `ign model` makes
         worlds = ign("service", "-s", "/gazebo/worlds", "--reqtype", "ignition.msgs.Empty", "--reptype",
                      "ignition.msgs.StringMsg_V", *PATIENCE, "--req", "")
         self.assertIn('data: "Moving_robot"', worlds)

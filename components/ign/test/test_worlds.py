@@ -1,4 +1,4 @@
-"""Several worlds of one process on ign-transport: each has topics and services, some are shared."""
+"""Several worlds of one process on ign-transport: topics and services of each world, and those of the process."""
 
 import re
 import unittest
@@ -25,13 +25,13 @@ class Worlds(unittest.TestCase):
             for name in WORLDS:
                 self.listening(f"/world/{name}/clock", "ignition.msgs.Clock").wait_for("heard")
                 self.listening(f"/model/cart_{name}/odometry", "ignition.msgs.Odometry").wait_for("heard")
-            # the first one's
+            # the topic of the first world
             self.listening("/clock", "ignition.msgs.Clock").wait_for("heard")
 
     @needs_ign
     def test_each_takes_its_commands_alone(self):
         def moved():
-            # the client exits so early that messages may be lost
+            # repeated, because the client may exit before the message is sent
             ign("topic", "-t", "/model/cart_coarse/cmd_vel", "-m", "ignition.msgs.Twist", "-p", "linear: {x: 0.5}")
             return x_of("coarse") > 0.1
 
