@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What all actions need.
+/// The settings and the progress display, which all actions need.
 struct Session {
   explicit Session(const Options& options)
       : progress(options.verbosity, options.verbosity >= kUsualVerbosity && isatty(STDERR_FILENO) == 1) {
@@ -42,7 +42,7 @@ bool isWorldType(const std::string& type) {
   return type == "world";
 }
 
-/// @return The addresses given by the user, as options and as arguments.
+/// @return The addresses that the user has given, as options and as arguments.
 std::vector<std::string> givenAddresses(const Options& options) {
   std::vector<std::string> all = options.addresses;
   if (options.url) all.insert(all.begin(), *options.url);
@@ -67,7 +67,7 @@ FuelAddress oneAddress(const Options& options) {
   return addressFrom(all.front());
 }
 
-/// @return The server given with "-u URL", which need not be configured.
+/// @return The server of "-u URL", which need not be in the configuration.
 Server serverFrom(const std::string& url, const Settings& settings) {
   std::string plain = url;
   while (plain.ends_with('/')) plain.pop_back();
@@ -132,7 +132,7 @@ std::string cachedText(const FuelAddress& address, const Settings& settings) {
   return text;
 }
 
-/// @return The addresses, with collections replaced by their content.
+/// @return The addresses, in which each collection is replaced by its content.
 std::vector<FuelAddress> resolved(const Options& options, const Settings& settings) {
   std::vector<FuelAddress> all;
   const bool models = !options.type || !isWorldType(*options.type), worlds = !options.type || !models;
@@ -152,7 +152,7 @@ std::vector<FuelAddress> resolved(const Options& options, const Settings& settin
         address.isWorld = isWorld;
         address.owner = each.owner;
         address.name = each.name;
-        // a server's response must not lead out of the cache
+        // an address in a server's response is not trusted: it could contain "..", and lead out of the cache
         if (parseFuelAddress(address.url())) all.push_back(address);
       }
     }
@@ -183,7 +183,7 @@ int removeCached(const FuelAddress& address, const Session& session) {
       const Workplace workplace(each.address, session.settings.cache);
       Lock lock(workplace.lock);
       lock.take();
-      // renamed atomically, then deleted
+      // renamed before it is deleted, so that no process finds an incomplete version in the cache
       std::error_code error;
       fs::remove_all(workplace.folder, error);
       fs::rename(each.folder, workplace.folder, error);
@@ -310,7 +310,7 @@ int check(const Options& options) {
 }
 
 int fetch(const Options& options) {
-  // the loader has ended, so there is nobody to answer
+  // the process ends with its parent, the loader of worlds, which reads the results
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   std::vector<std::string> lines;
   std::vector<FuelAddress> addresses;

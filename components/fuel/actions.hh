@@ -7,7 +7,7 @@
 
 namespace pongsim::fuel {
 
-/// Verbosity: warnings and progress.
+/// Default verbosity: warnings and progress.
 inline constexpr int kUsualVerbosity = 3;
 
 /// The parsed command line.
@@ -31,8 +31,8 @@ int update(const Options& options);
 /// `pongsim fuel delete`.
 int remove(const Options& options);
 int check(const Options& options);
-/// The interface for the loader of worlds: reads addresses from standard input, one per line, and writes a result to
-/// standard output for each: "ok ADDRESS", or "failed ADDRESS" with reason and hint, separated by tabs.
+/// The interface for the loader of worlds: reads addresses from standard input, one per line, and writes a line to
+/// standard output for each: "ok ADDRESS", or "failed ADDRESS", the reason and a hint, separated by tabs.
 int fetch(const Options& options);
 
 }  // namespace actions

@@ -33,7 +33,7 @@ std::string shown(std::string_view name) {
   return "'" + text + "'";
 }
 
-/// @return The entry's path below the folder; empty for the folder itself.
+/// @return The entry's path relative to the folder; empty for the folder itself.
 fs::path pathOf(std::string_view name) {
   const auto refuse = [&] {
     throw Failure("the archive was refused: " + shown(name) + " is outside the model's folder");
@@ -51,7 +51,7 @@ fs::path pathOf(std::string_view name) {
   return path;
 }
 
-/// @throws Failure if an entry is a link, a device or the like.
+/// @throws Failure if an entry is neither a regular file nor a folder, by its Unix file mode.
 void checkKind(zip_t* zip, zip_uint64_t index, std::string_view name) {
   zip_uint8_t system = 0;
   zip_uint32_t attributes = 0;
@@ -77,7 +77,7 @@ void makeFolder(const fs::path& folder) {
                     : "");
 }
 
-/// Creates a new file; fails if there is already a file or link.
+/// Creates a file; fails if there is already a file or link of that name (O_EXCL).
 class NewFile {
  public:
   explicit NewFile(fs::path path)
@@ -100,7 +100,7 @@ class NewFile {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
-  /// Flushed to the disk, so that the folder can be moved into place as a whole.
+  /// Writes the data to the disk (fdatasync), so that the folder is complete when it is moved into place.
   void finish() {
     if (::fdatasync(number_) != 0 && errno != EINVAL) failToWrite(path_);
   }
@@ -149,7 +149,7 @@ void unpack(const fs::path& zipFile, const fs::path& folder, const ArchiveLimits
     throw Failure("the archive was refused: it has " + std::to_string(count) + " files, and " +
                   std::to_string(limits.files) + " is the limit");
   }
-  // all entries are checked before any is written
+  // all entries are checked before the first is written
   std::vector<zip_stat_t> stats(count);
   std::vector<fs::path> paths(count);
   std::uint64_t total = 0;

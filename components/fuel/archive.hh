@@ -15,9 +15,9 @@ struct ArchiveLimits {
 };
 
 /// Unpacks a zip file into an empty folder: regular files and folders, with default permissions.
-/// @throws Failure if it is not a complete zip file, if a name leads out of the folder, if an entry is a link or a
-/// special file, or if it exceeds the limits or the disk; PassingFailure if the bytes are damaged. Files unpacked by
-/// then stay.
+/// @throws Failure if it is not a complete zip file, if an entry's name leads out of the folder, if an entry is a link
+/// or special file, or if it exceeds the limits or the free disk space; PassingFailure if data is damaged. Files
+/// unpacked until then are left.
 void unpack(const std::filesystem::path& zip, const std::filesystem::path& folder, const ArchiveLimits& limits = {});
 
 }  // namespace pongsim::fuel

@@ -58,7 +58,7 @@ TEST_F(Archive, GivesFilesAndFolders) {
 TEST_F(Archive, StaysInItsFolder) {
   for (const char* name : {"../a", "a/../../b", "/a", "a\\..\\b", "C:/a", ".."}) {
     EXPECT_NE(unpacked({{"good", "x"}, {name, "x"}}).find("is outside the model's folder"), std::string::npos) << name;
-    // nothing is written before all entries have been checked
+    // all entries are checked before the first is written
     EXPECT_FALSE(fs::exists(target_ / "good"));
   }
   EXPECT_FALSE(fs::exists(folder_.path() / "a"));
@@ -93,7 +93,7 @@ TEST_F(Archive, OutlivesWhatIsDamaged) {
     }
   }
   EXPECT_GT(refused, 100);
-  // nothing was unpacked elsewhere
+  // nothing was unpacked beside the target folder
   const auto count = std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
   EXPECT_EQ(count, 3);
 }

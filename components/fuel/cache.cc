@@ -29,9 +29,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Interval of attempts to get a lock.
+/// Interval of attempts to take a lock.
 constexpr std::chrono::milliseconds kBetweenLooks{100};
-/// Limit for a name in a folder, minus room for suffixes.
+/// Limit of a file name, NAME_MAX (255) minus room for suffixes [bytes].
 constexpr std::size_t kLongestName = 200;
 
 /// @return The subfolders of a folder, sorted by name.
@@ -81,7 +81,7 @@ void Lock::open() {
 
 Lock::~Lock() {
   struct stat mine {};
-  // removed while held: a process that opens it later creates a new one
+  // the file may be removed while this lock is held: `tryTake` checks that its own file still has a name
   if (::flock(number_, LOCK_EX | LOCK_NB) == 0 && ::fstat(number_, &mine) == 0 && mine.st_nlink > 0) {
     ::unlink(file_.c_str());
   }

@@ -10,7 +10,8 @@
 
 namespace pongsim::fuel {
 
-/// Locks a model against other pongsim processes while it is downloaded. Released when its owner ends, in whatever way.
+/// Locks a model against other pongsim processes while it is downloaded, by flock(2), which the kernel releases when
+/// the process ends in any way.
 class Lock {
  public:
   /// @throws Failure if the file can't be created.
@@ -21,7 +22,7 @@ class Lock {
 
   /// @return False if another process holds it.
   bool tryTake();
-  /// Waits until it is released.
+  /// Waits until no other process holds it, and takes it.
   /// @throws Interrupted
   void take();
 
@@ -58,7 +59,8 @@ struct PartialDownload {
   void write(const std::filesystem::path& file) const;
 };
 
-/// Moves a folder to the place of a version, replacing an existing one. Atomic, so that nobody sees a part of it.
+/// Moves a folder to the place of a version in the cache, and replaces an existing one. Atomic (rename), so that other
+/// processes see either version completely.
 /// @throws Failure
 void place(const std::filesystem::path& folder, const std::filesystem::path& target);
 

@@ -24,7 +24,7 @@ TEST_F(Cache, IsLockedForOneAtATime) {
     Lock second(file);
     EXPECT_FALSE(second.tryTake());
   }
-  // a process that only waited does not remove the lock
+  // a process that did not get the lock must not remove its file
   EXPECT_TRUE(fs::exists(file));
 }
 
@@ -35,7 +35,7 @@ TEST_F(Cache, LeavesNoLockAndTakesNoOldOne) {
   Lock second(file);
   first.reset();
   EXPECT_FALSE(fs::exists(file));
-  // the file that it had opened was removed, so it creates another, which others use
+  // the file opened by `second` was removed by `first`: `second` creates a new one, which excludes others
   EXPECT_TRUE(second.tryTake());
   EXPECT_TRUE(fs::exists(file));
   Lock third(file);
@@ -69,7 +69,7 @@ TEST_F(Cache, PlacesAFolderAsAWhole) {
   folder_.write("new/a", "1");
   place(folder_.path() / "new", folder_.path() / "x/y/1");
   EXPECT_EQ(textOf(folder_.path() / "x/y/1/a"), "1");
-  // replaces the existing one
+  // an existing version is replaced
   folder_.write("new/a", "2");
   folder_.write("x/y/1/b", "");
   place(folder_.path() / "new", folder_.path() / "x/y/1");

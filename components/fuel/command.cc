@@ -17,7 +17,7 @@ namespace pongsim::fuel {
 namespace {
 
 using Action = int (*)(const Options&);
-/// Receives the parsed options of an action.
+/// The options of an action, filled in by CLI11.
 using Given = std::shared_ptr<Options>;
 
 void checkHeaders(const std::vector<std::string>& headers) {
@@ -29,7 +29,7 @@ void checkHeaders(const std::vector<std::string>& headers) {
   }
 }
 
-/// @return The work of an action, to be run once its options are in `given`.
+/// @return A function that runs an action with the options that `given` contains by then.
 cli::Work workOf(Action action, const Given& given) {
   return [action, given] {
     checkHeaders(given->headers);

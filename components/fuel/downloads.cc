@@ -30,11 +30,11 @@ namespace {
 constexpr int kMostTries = 3;
 constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::uint64_t kLargestZip = std::uint64_t{4} << 30U;
-/// Limit of models and worlds, including dependencies.
+/// Limit of models and worlds per run, with their dependencies.
 constexpr std::size_t kMostResources = 1000;
 constexpr std::uint64_t kLargestText = std::uint64_t{64} << 20U;
 
-/// Writes a zip file, starting at its current end.
+/// Writes a zip file, and appends to an existing part.
 class ZipFile {
  public:
   explicit ZipFile(const fs::path& path) : path_(path) {
@@ -66,7 +66,7 @@ class ZipFile {
   [[noreturn]] void fail() const {
     const int error = errno;
     std::error_code ignored;
-    // leave room: a part that does not fit is useless
+    // frees the space: the part can't be completed on this disk
     if (error != EINTR) fs::remove(path_, ignored);
     throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
                   error == ENOSPC || error == EDQUOT || error == EFBIG
@@ -99,8 +99,8 @@ class ShortLivedFolder {
   fs::path path_;
 };
 
-/// Converts the contents of a zip file to what Fortress keeps in its cache.
-/// @throws Failure if it is no model or world.
+/// Converts unpacked files to the form in which Fortress caches them.
+/// @throws Failure if they are no model or world.
 void finish(const fs::path& folder, const FuelAddress& address) {
   const CachedVersion unpacked{address, folder};
   for (const std::string& fault : faultsOf(unpacked)) throw Failure("the server's response can't be used: " + fault);
@@ -125,7 +125,7 @@ void removePart(const Workplace& workplace) {
 
 std::string validatorOf(const Answer& answer) {
   const std::string tag = answer.header("etag");
-  // a weak ETag does not identify the bytes
+  // a weak ETag allows different bytes (RFC 9110, 8.8.1)
   return !tag.empty() && !tag.starts_with("W/") ? tag : answer.header("last-modified");
 }
 
@@ -168,7 +168,7 @@ std::vector<FuelAddress> neededBy(const fs::path& folder) {
   return needed;
 }
 
-/// Queued work and results.
+/// Addresses to download, and results. Shared by the threads of `run`.
 struct Downloads::Queue {
   std::mutex mutex;
   std::condition_variable changed;
@@ -245,7 +245,7 @@ void Downloads::work(Queue& queue) {
 
 fs::path Downloads::bring(const FuelAddress& address, bool isWanted) {
   checkInterruption();
-  // a version given by number does not change
+  // a version given by its number never changes, so the server need not be asked for a newer one
   const bool isAsked = options_.isUpdate && isWanted && !address.version;
   const auto cached = [&]() -> std::optional<fs::path> {
     return isAsked ? std::nullopt : findInFuelCache(address, settings_.cache);
@@ -259,11 +259,11 @@ fs::path Downloads::bring(const FuelAddress& address, bool isWanted) {
     progress_.info(nameOf(address) + ": waiting for another download of it");
     lock.take();
   }
-  // another process may have downloaded it by now
+  // checked again, because another process may have downloaded it while this one waited for the lock
   if (const auto folder = cached()) return *folder;
   FuelServer server(known, isWanted ? options_.headers : std::vector<std::string>());
   FuelAddress there = address;
-  // the address in the configuration, which identifies the server
+  // the configured scheme: the address in a world may be "http"
   there.scheme = known.url.substr(0, known.url.find("://"));
   return bringFrom(server, there);
 }
@@ -290,7 +290,7 @@ fs::path Downloads::bringFrom(FuelServer& server, FuelAddress address) {
     } catch (const Interrupted&) {
       throw;
     } catch (const Failure&) {
-      // the next attempt must not continue with it
+      // a retry must not continue a damaged file
       removePart(workplace);
       throw;
     }
@@ -359,7 +359,7 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
     throw;
   } catch (const Failure&) {
     removePart(workplace);
-    // the part may be longer than the server's file
+    // the server may have rejected the range, because the part is longer than its file
     if (have > 0 && !goesOn && version == 0) throw PassingFailure("the download can't be resumed", "try again");
     throw;
   }

@@ -18,7 +18,7 @@ namespace pongsim::fuel {
 struct DownloadOptions {
   /// Number of parallel downloads, 1 to 16.
   std::size_t jobs = 4;
-  /// Ask the server for the newest version even if the cache has one.
+  /// Whether to ask the server for the newest version even if the cache has one.
   bool isUpdate = false;
   /// "Name: value", sent only to the servers of the addresses given by the user, not to those of dependencies.
   std::vector<std::string> headers = {};
@@ -27,7 +27,7 @@ struct DownloadOptions {
 /// The result for an address.
 struct DownloadResult {
   FuelAddress address;
-  /// Whether the user named it, or it is a dependency.
+  /// Whether the user asked for it; else it is a dependency.
   bool isWanted = false;
   /// Its folder. Empty on failure, with the reason in `why`.
   std::filesystem::path folder;
@@ -35,9 +35,10 @@ struct DownloadResult {
 };
 
 /// Downloads models and worlds into the cache, with their dependencies, several in parallel.
-/// Each is downloaded beside its destination, checked, and moved into place when it is complete. An interrupted
-/// download is continued if the server still has the same bytes. If two processes want the same model, one of them
-/// downloads it.
+///
+/// Each is downloaded to the folder .pongsim of the cache, checked, and moved into place when it is complete. An
+/// interrupted download is continued if the server still has the same bytes (ETag, Last-Modified). If several processes
+/// want the same model, one downloads it, and the others wait.
 class Downloads {
  public:
   /// All references must outlive it.
@@ -64,7 +65,7 @@ class Downloads {
 /// @return The other models and worlds that one in the cache refers to.
 std::vector<FuelAddress> neededBy(const std::filesystem::path& folder);
 
-/// @return The same key for all addresses of a model's version, whatever the server's name.
+/// @return A key that is the same for all addresses of a version of a model, under either name of the server.
 std::string keyOf(const FuelAddress& address);
 
 /// @return "OWNER/NAME" or "OWNER/NAME version 3"

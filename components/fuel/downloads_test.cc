@@ -12,7 +12,7 @@
 namespace pongsim::fuel {
 namespace {
 
-// test/test_download.py and test/test_faults.py test downloads themselves.
+// Downloads themselves are tested by test/test_download.py and test/test_faults.py.
 
 std::string keyOf(const std::string& address) { return fuel::keyOf(*parseFuelAddress(address)); }
 
@@ -32,7 +32,7 @@ TEST(DownloadsDeathTest, GoOnWithTheThreadsThatCouldBeStarted) {
     std::ifstream statistics("/proc/self/statm");
     rlim_t pages = 0;
     statistics >> pages;
-    // enough for one more stack of 8 MiB, but not for fifteen
+    // room for one more thread with a stack of 8 MiB, but not for fifteen
     const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{24} << 20);
     const rlimit limit{bytes, bytes};
     setrlimit(RLIMIT_AS, &limit);

@@ -7,7 +7,7 @@ namespace pongsim::fuel {
 using cli::Failure;
 using cli::UsageError;
 
-/// A failure that may not occur again: of the server or the network.
+/// A temporary failure of the server or the network: a retry may succeed.
 class PassingFailure : public Failure {
  public:
   using Failure::Failure;

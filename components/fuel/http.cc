@@ -19,7 +19,7 @@ namespace pongsim::fuel {
 namespace {
 
 constexpr int kMostRedirections = 10;
-/// Less than this many bytes per second counts as no data.
+/// CURLOPT_LOW_SPEED_LIMIT: a slower transfer counts as stalled [bytes/s]. And its default duration [s].
 constexpr long kSilence = 100;
 constexpr long kPatience = 30;
 constexpr std::size_t kMostHeaders = std::size_t{1} << 20U;
@@ -75,7 +75,7 @@ std::uint64_t Answer::length() const {
   return length;
 }
 
-/// A single request.
+/// A single request, as libcurl's callbacks need it.
 struct Http::Transfer {
   CURL* curl = nullptr;
   const Begin* begin = nullptr;
@@ -83,7 +83,7 @@ struct Http::Transfer {
   Answer answer;
   bool hasBegun = false;
   std::size_t headerBytes = 0;
-  /// An exception thrown in a callback, because libcurl can't pass it on.
+  /// An exception thrown in a callback, rethrown after the transfer, because it must not pass through libcurl's C code.
   std::exception_ptr thrown;
 
   void beginBody() {
@@ -99,7 +99,7 @@ struct Http::Transfer {
     auto& transfer = *static_cast<Transfer*>(self);
     const std::string_view line(text, size * count);
     if ((transfer.headerBytes += line.size()) > kMostHeaders) return 0;
-    // earlier headers were those of a proxy, or of "100 Continue"
+    // a new status line: discards headers of a proxy or of "100 Continue"
     if (line.starts_with("HTTP/")) transfer.answer.headers.clear();
     const std::size_t colon = line.find(':');
     if (colon != line.npos) {
@@ -112,7 +112,7 @@ struct Http::Transfer {
     auto& transfer = *static_cast<Transfer*>(self);
     try {
       transfer.beginBody();
-      // the body of an error or a redirection is ignored
+      // the body of an error or redirection is discarded
       if (transfer.answer.status < 300) (*transfer.take)({text, size * count});
       return size * count;
     } catch (...) {
@@ -135,7 +135,7 @@ Http::~Http() { curl_easy_cleanup(curl_); }
 
 namespace {
 
-/// @throws The failure that a libcurl error means.
+/// @throws The failure for a libcurl error.
 [[noreturn]] void explain(CURLcode code, const char* detail, const std::string& url) {
   const std::string host = hostOf(url);
   const std::string said = *detail != '\0' ? detail : curl_easy_strerror(code);
@@ -213,7 +213,7 @@ bool Http::sendOnce(const Request& request, bool isFirst, Transfer& transfer) {
   const CURLcode code = curl_easy_perform(curl);
   if (transfer.thrown) std::rethrow_exception(transfer.thrown);
   if (code != CURLE_OK) explain(code, detail, url);
-  // a response without a body
+  // for a response without a body, whose callback was not called
   transfer.beginBody();
   char* next = nullptr;
   if (!isRedirection(transfer.answer.status)) return true;

@@ -15,10 +15,10 @@ struct Answer {
   int status = 0;
   /// The final address, after redirections.
   std::string url;
-  /// Keyed by names in lower case.
+  /// Keys are header names in lower case.
   std::map<std::string, std::string> headers;
 
-  /// @return Empty if it is missing.
+  /// @return The value; empty if there is no such header.
   std::string header(const std::string& name) const;
   /// @return Size of the body in bytes; 0 if the server does not give it.
   std::uint64_t length() const;
@@ -27,15 +27,16 @@ struct Answer {
 struct Request {
   std::string url;
   std::string method = "GET";
-  /// Headers that identify the user: sent only to the server of `url`, not to targets of redirections.
+  /// Headers with credentials: sent only to the server of `url`, not to the targets of redirections.
   std::vector<std::string> secrets = {};
   std::vector<std::string> headers = {};
 };
 
-/// Makes HTTP requests with libcurl, one at a time; a process may have several clients.
-/// Certificates are checked against the system's, or those of SSL_CERT_FILE. Proxies are taken from the environment. Up
-/// to ten redirections are followed, never from https to http. A server that sends almost nothing for
-/// PONGSIM_FUEL_TIMEOUT seconds (30) is given up.
+/// Makes HTTP requests with libcurl, one at a time; a process may have several instances.
+///
+/// Certificates are verified with those of the system, or those in SSL_CERT_FILE. Proxies are taken from the
+/// environment. Up to ten redirections are followed, but none from https to http. A transfer of less than 100 bytes/s
+/// over PONGSIM_FUEL_TIMEOUT seconds (default 30) fails.
 class Http {
  public:
   using Begin = std::function<void(const Answer&)>;
@@ -63,7 +64,7 @@ class Http {
   void* curl_;
 };
 
-/// @throws Failure, PassingFailure with the meaning of a response's status.
+/// @throws Failure, PassingFailure that explains the status code of a response.
 [[noreturn]] void refuse(const Answer& answer);
 
 /// @return The scheme, host and port of an address: "https://fuel.gazebosim.org".

@@ -7,13 +7,13 @@
 namespace pongsim::fuel {
 namespace {
 
-// test/test_download.py and test/test_faults.py test requests themselves.
+// Requests themselves are tested by test/test_download.py and test/test_faults.py.
 
 TEST(Http, KnowsWhoseAnAddressIs) {
   EXPECT_EQ(originOf("https://Fuel.Gazebosim.org/1.0/x?y#z"), "https://fuel.gazebosim.org");
   EXPECT_EQ(originOf("http://h:8000"), "http://h:8000");
   EXPECT_EQ(originOf("https://h?x=/"), "https://h");
-  // a prefix of the host name makes it another server
+  // everything before "@" is user information (RFC 3986, 3.2.1), so the server is "evil"
   EXPECT_NE(originOf("https://fuel.gazebosim.org@evil/x"), "https://fuel.gazebosim.org");
   EXPECT_EQ(originOf("nothing"), "nothing");
 }

@@ -5,7 +5,7 @@
 
 namespace pongsim::fuel {
 
-/// @throws Interrupted if a signal requested to stop; the caller cleans up.
+/// @throws Interrupted if SIGINT, SIGTERM or SIGHUP has arrived. The caller cleans up.
 inline void checkInterruption() {
   if (cli::isStopped()) throw Interrupted();
 }

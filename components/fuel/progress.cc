@@ -123,7 +123,7 @@ void Progress::draw(bool isForced) {
   line += "  " + names;
   const std::size_t width = terminalWidth() - 1;
   if (line.size() > width) {
-    // not in the middle of a UTF-8 character
+    // does not cut a UTF-8 character: bytes 10xxxxxx continue one
     std::size_t end = width;
     while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U) --end;
     line.resize(end);

@@ -8,7 +8,7 @@
 
 namespace pongsim::fuel {
 
-/// Reports the progress of several downloads on standard error: on a terminal with a bar, elsewhere with a line at the
+/// Reports the progress of several downloads on standard error: on a terminal by a bar, elsewhere by a line at the
 /// start and the end of each. For any thread.
 class Progress {
  public:
@@ -24,7 +24,7 @@ class Progress {
   void add(const std::string& name, std::uint64_t bytes);
   /// @param note "3.2 MB", or why nothing was downloaded.
   void end(const std::string& name, const std::string& note);
-  /// A failed download; its reason is reported elsewhere.
+  /// Ends a failed download without a line; its reason is reported elsewhere.
   void drop(const std::string& name);
 
   void info(const std::string& line);

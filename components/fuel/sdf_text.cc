@@ -32,7 +32,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// Parses a file tag by tag.
+/// Reads a file tag by tag, and collects the texts of elements without child elements.
 class XmlWalk {
  public:
   explicit XmlWalk(std::string_view file) : file_(file) {}
@@ -44,7 +44,8 @@ class XmlWalk {
   }
 
  private:
-  /// Skips what starts here, up to `end`.
+  /// Moves behind the next `end`.
+  /// @return Whether there is one.
   bool pass(std::string_view end) {
     const std::size_t found = file_.find(end, at_);
     at_ = found + end.size();
@@ -52,7 +53,7 @@ class XmlWalk {
     return found != file_.npos;
   }
 
-  /// @return The end of the tag that starts here; a ">" in an attribute's value does not count.
+  /// @return The position of the ">" that ends the tag at `at_`; one in an attribute's value does not count.
   std::size_t endOfTag() const {
     char quote = 0;
     for (std::size_t i = at_; i < file_.size(); ++i) {
@@ -91,7 +92,7 @@ class XmlWalk {
     return true;
   }
 
-  /// The end of an element; if it contained only text, that is reported.
+  /// Handles the end of an element: adds its text if it has no child elements.
   void close() {
     if (lengths_.empty()) return;
     if (textStart_) {
@@ -115,7 +116,7 @@ class XmlWalk {
   std::vector<XmlText> texts_;
 };
 
-/// @return Whether Fortress replaces an address in this place by a Fuel address.
+/// @return Whether Fortress replaces "model://" addresses in the element with this path.
 bool isReplaced(const std::string& path) {
   constexpr std::array<std::string_view, 4> kPlaces{"/mesh/uri", "/material/script/uri", "/skin/filename",
                                                     "/animation/filename"};

@@ -26,11 +26,11 @@ std::vector<XmlText> xmlTexts(std::string_view file);
 std::vector<std::string> fuelAddressesInXml(std::string_view file);
 std::vector<std::string> fuelAddressesInQuotes(std::string_view file);
 
-/// Changes a model's SDF file as Fortress does when it puts it into the cache: meshes, textures, material scripts and
-/// animations with "model://NAME/FILE" get the files' addresses on the server, by which they are found wherever the
-/// model is. The other bytes stay unchanged.
-/// @param address With the version.
-/// @param has Whether the model has a file; "model://" of other files stays.
+/// Changes a model's SDF file as Fortress does when it adds it to its cache: "model://NAME/FILE" of meshes, textures,
+/// material scripts and animations is replaced by the file's address on the server, so that the model can be used in
+/// any folder. All other bytes are kept.
+/// @param address Must have a version.
+/// @param has Whether the model contains a file; "model://" addresses of other files are kept.
 template <class Has>
 std::string withFuelAddresses(std::string_view file, const FuelAddress& address, const Has& has);
 

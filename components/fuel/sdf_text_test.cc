@@ -69,7 +69,7 @@ TEST(FuelAddresses, ReplaceThoseOfTheModelWhereFortressDoesIt) {
   EXPECT_FALSE(replaced("<include><uri>", "</uri></include>"));
   EXPECT_FALSE(replaced("<plugin><filename>", "</filename></plugin>"));
   EXPECT_FALSE(replaced("<!-- <mesh><uri>", "</uri></mesh> -->"));
-  // a file that the model lacks may be elsewhere
+  // a file that the model does not contain may be in another model
   const std::string other = "<mesh><uri>model://other/b.png</uri></mesh>";
   EXPECT_EQ(withFuelAddresses(other, address, has), other);
 }

@@ -10,7 +10,7 @@ namespace pongsim::fuel {
 
 namespace {
 
-/// Limit of pages, in case a server always reports another one.
+/// Limit of pages of a list, in case a server never reports the last one.
 constexpr int kMostPages = 10'000;
 constexpr std::size_t kLongestLink = 16'384;
 
@@ -133,7 +133,7 @@ void FuelServer::zip(const FuelAddress& address, std::uint64_t from, const std::
   const bool isSafe =
       link->starts_with("https://") || (server_.url.starts_with("http://") && link->starts_with("http://"));
   if (!isSafe) throw Failure("the server did not send a link to a zip file: '" + plain(link->substr(0, 200)) + "'");
-  // the link leads to another server, which gets no token
+  // without the token: the link may lead to another host
   Request second{.url = *link};
   if (from > 0 && isLinked) goOn(second);
   const Answer last = http_.send(

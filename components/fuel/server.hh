@@ -38,12 +38,12 @@ class FuelServer {
   /// Deletes a model or world from the server.
   void remove(const FuelAddress& address);
 
-  /// Requests a zip file; follows a link if the server responds with one.
-  /// @param version Nothing: the newest.
-  /// @param from Offset at which to continue, with the `validator` of the existing bytes; 0: from the start.
+  /// Requests a zip file. If the response is a link instead, requests the file at that address.
+  /// @param version Unset: the newest.
+  /// @param from Offset at which to continue, for which `validator` identifies the existing bytes; 0: from the start.
   /// @param isLinked Whether the existing bytes came from a link.
   /// @param begin Called with the version (0 if unknown), whether a link was followed, and the response, whose status
-  /// is 206 if it continues.
+  /// is 206 if the server continues at `from`.
   using Begin = std::function<void(int version, bool isLinked, const Answer& answer)>;
   void zip(const FuelAddress& address, std::uint64_t from, const std::string& validator, bool isLinked,
            const Begin& begin, const Http::Take& take);

@@ -5,7 +5,7 @@
 namespace pongsim::fuel {
 namespace {
 
-// test/test_download.py and test/test_command.py test the requests.
+// Requests are tested by test/test_download.py and test/test_command.py.
 
 TEST(FuelServer, HasCollections) {
   const auto collection = parseCollection("https://fuel.gazebosim.org/1.0/Open%20Robotics/collections/My Set");

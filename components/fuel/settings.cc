@@ -17,7 +17,7 @@ namespace {
 
 std::string hostOfServer(const Server& server) { return server.url.substr(server.url.find("://") + 3); }
 
-/// The position in the file, and messages, in pongsim's usual format.
+/// Throws a Failure with the position in the file, FILE:LINE:COLUMN.
 [[noreturn]] void fail(const fs::path& file, const YAML::Mark& mark, const std::string& message,
                        std::string hint = {}) {
   std::string place = file.string();
@@ -57,7 +57,7 @@ Server readServer(const YAML::Node& node, const fs::path& file, std::vector<std:
   return server;
 }
 
-/// A server in the file precedes a built-in one with the same address, and may add a token.
+/// Adds a server of the file: it replaces a built-in one with the same address, and may have a token.
 void add(const Server& server, std::vector<Server>& servers) {
   const auto same = std::ranges::find(servers, hostOfServer(server), hostOfServer);
   if (same == servers.end()) {

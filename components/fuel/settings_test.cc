@@ -54,7 +54,7 @@ TEST_F(SettingsTest, TakeServersAndTokensOfTheUsualFile) {
   EXPECT_EQ(settings.listed.size(), 2U);
   EXPECT_EQ(serverOf(*parseFuelAddress("https://fuel.gazebosim.org/o/models/m"), settings).token, "secret");
   EXPECT_EQ(serverOf(*parseFuelAddress("https://localhost:8000/o/models/m"), settings).url, "http://localhost:8000");
-  // Fortress ignores it, and so does the loader
+  // `cache` of the default file is ignored, as Fortress and the loader ignore it
   EXPECT_EQ(settings.cache, folder_.path() / ".ignition/fuel");
   EXPECT_EQ(warnings_.size(), 1U);
 }

@@ -1,4 +1,4 @@
-// Does what Fortress does with a Fuel address, with Debian's own library: fortress_peer find|download|file ADDRESS.
+// Does with a Fuel address what Fortress does, by Debian's own library: fortress_peer find|download|file ADDRESS.
 #include <ignition/fuel_tools/ClientConfig.hh>
 #include <ignition/fuel_tools/FuelClient.hh>
 #include <ignition/fuel_tools/Interface.hh>
@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   namespace ft = ignition::fuel_tools;
   const std::string action = argv[1];
-  // as in releases after Debian's
+  // both names of the server, as in releases after Debian's
   ft::ClientConfig config;
   for (const char* url : {"https://fuel.gazebosim.org", "https://fuel.ignitionrobotics.org"}) {
     ft::ServerConfig server;

@@ -1,5 +1,5 @@
-// Arbitrary bytes as a Fuel server's description of models. The reader must end with what is safe to print, or with a
-// reason.
+// Parses arbitrary bytes as a Fuel server's description of models. The parser must return text that is safe to print,
+// or throw a Failure.
 
 #include <algorithm>
 #include <cstddef>

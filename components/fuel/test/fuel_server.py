@@ -1,6 +1,6 @@
-"""A Fuel server on this machine: the part of its interface that clients use, over TLS, with faults on demand.
+"""A Fuel server on this machine: the part of the REST API that clients use, over TLS, with faults on demand.
 
-It is reached by its real names through a proxy of its own, so that nothing in the clients is different for a test.
+Clients reach it under the real host names through an HTTP proxy, so they need no test mode.
 """
 
 import contextlib
@@ -31,13 +31,13 @@ from test_domain import take_domain  # noqa: E402
 
 DOMAIN = str(take_domain())
 NAMES = ["fuel.gazebosim.org", "fuel.ignitionrobotics.org", "models.example.org", "storage.example.org"]
-# For conditions that must come true, even on a busy machine.
+# Time limit for conditions that must come true, even on a busy machine [s].
 PATIENCE = 120.0
 PAGE = 2
 
 
 def model_files(name, include="", body="", version="1.9"):
-    """A box with a mesh, a texture and what else is asked for."""
+    """The files of a model: a box with a mesh, and the given XML."""
     return {
         "model.config": f"""<?xml version="1.0"?>
 <model><name>{name}</name><sdf version="{version}">model.sdf</sdf></model>""",
@@ -57,11 +57,11 @@ def model_files(name, include="", body="", version="1.9"):
 
 
 def zip_of(files):
-    """A zip file of names and texts, or of given entries."""
+    """A zip file; keys are names or ZipInfo, values are contents."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted({name.rpartition("/")[0] for name in files if isinstance(name, str) and "/" in name}):
-            # Fortress makes no folder that has no entry, and the real server writes one
+            # an entry for each folder, as the real server writes; Fortress does not create a folder without one
             archive.writestr(name + "/", "")
         for name, content in files.items():
             if isinstance(name, zipfile.ZipInfo):
@@ -71,7 +71,7 @@ def zip_of(files):
 
 
 def streamed_zip_of(files):
-    """As a server that writes while it sends: sizes and sums come after each file, as those of Go do."""
+    """A zip file as written to a stream, as servers in Go do: sizes and checksums come after each file."""
     class Pipe:
         def __init__(self):
             self.data = b""
@@ -99,7 +99,7 @@ def special(name, kind=stat.S_IFLNK):
 
 @functools.cache
 def authority():
-    """The folder of a certificate authority and of what it has signed for the names of the server."""
+    """A folder with a certificate authority, and a certificate that it has signed for the names of the server."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="fuel_authority_"))
     names = ",".join("DNS:" + name for name in NAMES) + ",IP:127.0.0.1"
 
@@ -121,12 +121,12 @@ def authority():
 
 
 class Server:
-    """Serves models and worlds until it is closed."""
+    """An HTTPS server for models and worlds, until it is closed."""
 
     def __init__(self, certificate="server", plain=False):
         self.resources = {}
         self.collections = {}
-        # By the end of a path without query: what goes wrong there, and how many times (None: always).
+        # Faults by the end of the path, without query: what goes wrong, and how many times (None: always).
         self.faults = {}
         self.requests = []
         self.connects = []
@@ -176,7 +176,7 @@ class Server:
         return None
 
     def zips(self):
-        """The requests for zip files: path and headers."""
+        """The requests for zip files so far, as (path, headers)."""
         return [(path, headers) for path, headers in self.requests if urllib.parse.urlsplit(path).path.endswith(".zip")]
 
     def _accept(self):
@@ -341,7 +341,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
 
 
 class Place:
-    """A test's own home, cache and environment, with programs that run there."""
+    """A test's own home folder, cache and environment, in which it runs programs."""
 
     def __init__(self, server=None, cache=None):
         self._folder = tempfile.TemporaryDirectory(prefix="fuel_test_")
@@ -376,7 +376,7 @@ class Place:
         return self.run(PONGSIM, "fuel", *words, **more)
 
     def files(self):
-        """Everything in the cache except locks, by path."""
+        """The sorted paths of all files and links in the cache."""
         return sorted(str(path.relative_to(self.cache)) for path in self.cache.rglob("*")
                       if path.is_file() or path.is_symlink())
 

@@ -1,4 +1,4 @@
-// Arbitrary bytes as a zip file of a Fuel server. Unpacking must end with files below the folder, or with a reason.
+// Unpacks arbitrary bytes as a zip file. All files must be below the folder, or a Failure must be thrown.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const fuel::Failure& why) {
     fuzz::require(why.what()[0] != '\0');
   }
-  // nothing is beside it, and no entry is a link
+  // nothing was created beside the folder, and no entry is a link
   fuzz::require(std::distance(fs::directory_iterator(folder.path()), {}) == 2);
   fuzz::require(std::distance(fs::directory_iterator(out.parent_path()), {}) == 1);
   for (const fs::directory_entry& each : fs::recursive_directory_iterator(out)) fuzz::require(!each.is_symlink());

@@ -38,7 +38,7 @@ class Download(unittest.TestCase):
         self.assertIn("pongsim: downloading OpenRobotics/Coke Can version 3", said)
         self.assertNotIn("\r", said)
         self.assertEqual((folder / "model.config").stat().st_mode & 0o777, 0o644)
-        # the newest version is cached, and not downloaded again
+        # the newest version is in the cache, so it is not downloaded again
         count = len(self.server.zips())
         self.assertIn("the newest version is in the cache", self.download(url.replace(" ", "%20")))
         self.assertEqual(len(self.server.zips()), count)
@@ -68,7 +68,7 @@ class Download(unittest.TestCase):
         self.server.add("o", "n", model_files("n"))
         self.download("https://fuel.ignitionrobotics.org/1.0/o/models/m", "http://fuel.gazebosim.org/o/models/n")
         self.assertEqual(set(self.server.connects), {"fuel.ignitionrobotics.org:443", "fuel.gazebosim.org:443"})
-        # the same model is cached under its other name
+        # the model is in the cache, under the server's other name
         count = len(self.server.zips())
         self.download("https://fuel.gazebosim.org/1.0/o/models/m/1")
         self.assertEqual(len(self.server.zips()), count)
@@ -89,7 +89,7 @@ class Download(unittest.TestCase):
         for i in range(4):
             self.server.fault(f"m{i}.zip", "stall", 1)
         process = self.place.start(FUEL, "download", "-j", "4", *urls)
-        # all are half done, which would not happen one after the other
+        # all four are in progress at the same time: the downloads are parallel
         self.place.wait_for(lambda: len(self.server.zips()) == 4, "four requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=120)
@@ -157,7 +157,7 @@ class Download(unittest.TestCase):
         self.assertIn("fuel.gazebosim.org/o/worlds/w/1/w.sdf", self.place.files())
 
     def broken_off(self, how, **more):
-        """Ends the program in the middle of a zip file, and returns how far it came."""
+        """Ends the program when it has half of a zip file. Returns (address, bytes, exit code, errors)."""
         url = self.server.add("o", "m", model_files("m") | BIG)
         self.server.fault("m.zip", "stall", 1)
         process = self.place.start(FUEL, "download", url, **more)

@@ -1,4 +1,4 @@
-"""Failures are reported, end with code 1, and leave nothing broken behind."""
+"""Failures are reported, give exit code 1, and leave no incomplete files in the cache."""
 
 import os
 import stat
@@ -155,7 +155,7 @@ class Faults(unittest.TestCase):
                 self.skipTest("a file system can't be mounted here")
         self.refused("No space left on device\n  hint: free disk space", prefix=prefix,
                      IGN_FUEL_CACHE_PATH=str(folder))
-        # room for the zip file, but not for its content
+        # there is room for the zip file, but not for its unpacked content
         self.server.add("o", "m", model_files("m") | {"a.bin": bytes(300_000)})
         self.refused("not enough disk space for 30", prefix=prefix, IGN_FUEL_CACHE_PATH=str(folder))
 

@@ -21,7 +21,7 @@ class Fortress(unittest.TestCase):
         return manager.__enter__()
 
     def peer(self, action, address, code=0):
-        # leaks of that library are not ours
+        # leaks of Fortress's library are ignored
         result = self.place.run(PEER, action, address, ASAN_OPTIONS="detect_leaks=0")
         self.assertEqual(result.returncode, code, result.stderr + result.stdout)
         return result.stdout.strip().splitlines()[-1] if code == 0 else ""
@@ -67,7 +67,7 @@ class Fortress(unittest.TestCase):
         self.assertEqual(theirs.keys(), ours.keys())
         for name in ("model.config", "meshes/box.obj"):
             self.assertEqual(theirs[name], ours[name])
-        # the same addresses, although libsdformat prints the file anew
+        # the addresses are equal, although libsdformat formats the file anew
         self.assertEqual([part.split("<")[0].strip() for part in theirs["model.sdf"].split("<uri>")[1:2]],
                          [part.split("<")[0].strip() for part in ours["model.sdf"].split("<uri>")[1:2]])
 

@@ -48,7 +48,7 @@ class World(unittest.TestCase):
             self.server.fault(f"{name}.zip", "stall", 1)
         world = self.write(f"<include><uri>{axle}</uri></include>\n<include><uri>{car}/4</uri><pose>0 0 5 0 0 0</pose></include>")
         process = self.place.start(PONGSIM, "run", world, "-z", "0", "--iterations", "10")
-        # both requests are under way before either is answered
+        # both downloads are in progress at the same time
         self.place.wait_for(lambda: len(self.server.zips()) == 2, "two requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=PATIENCE)
@@ -56,7 +56,7 @@ class World(unittest.TestCase):
         self.assertIn("pongsim: downloading o/axle", error)
         self.assertIn("world 'w': 2 models", error)
         self.assertEqual(len(self.server.zips()), 3)
-        # from then on there are no requests
+        # once the models are in the cache, there are no further requests
         count = len(self.server.requests)
         self.assertEqual(self.run_steps(world).returncode, 0)
         self.assertEqual(len(self.server.requests), count)
@@ -127,7 +127,7 @@ class World(unittest.TestCase):
         self.assertEqual(self.run_steps(url + "x").returncode, 1)
 
     def test_the_program_of_the_package_is_asked_for_where_it_is_not_installed(self):
-        # the program and its dependencies in another folder, without what the package adds
+        # an installation without the optional package: the program and its dependencies in another folder
         place = self.place.home / "install"
         for name in ("bin", "lib", "share"):
             (place / name).mkdir(parents=True)
@@ -151,7 +151,7 @@ class World(unittest.TestCase):
         self.assertIn("can't be downloaded: it was interrupted", error)
 
     def test_two_naos_move_their_joints(self):
-        # the exercise of the course, with a stand-in for the robot
+        # an exercise of a course with two Nao robots, with a smaller model in their place
         url = self.server.add("OpenRobotics", "Nao with Ignition position controller", NAO, 2)
         url = url.replace(" ", "%20").replace("gazebosim.org", "ignitionrobotics.org")
         world = self.write("".join(f"""
