@@ -1,5 +1,5 @@
-// Makes the page of its sources: node build.mjs FOLDER MESSAGE_TYPES. One script, one style sheet, the description of all
-// message types, and each of them compressed beside it.
+// Builds the page from its sources: node build.mjs FOLDER MESSAGE_TYPES. Output: one script, one style sheet, the
+// descriptors of all message types, and a gzip-compressed copy of each.
 import { build } from 'esbuild';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -24,11 +24,11 @@ writeFileSync(join(target, 'licences.txt'), licences(Object.keys(metafile.inputs
 for (const file of readdirSync('static')) copyFileSync(join('static', file), join(target, file));
 copyFileSync(messageTypes, join(target, 'message_types.bin'));
 for (const file of readdirSync(target).filter((name) => /\.(js|css|bin|svg|html)$/.test(name))) {
-  // its head holds no time: the same sources are the same bytes
+  // gzipSync writes no time into the header: the same sources give the same bytes
   writeFileSync(join(target, `${file}.gz`), gzipSync(readFileSync(join(target, file)), { level: 9 }));
 }
 
-/// The packages that are in the page, with the terms of each.
+/// The text of licences.txt: the packages in the bundle, each with its licence.
 function licences(files) {
   const names = files.map((file) => /(?:^|\/)node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1]).filter(Boolean);
   return [...new Set(names)].sort().map((name) => {

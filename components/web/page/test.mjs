@@ -1,5 +1,5 @@
-// Runs the unit tests, which stand beside what they test: node test.mjs [PART OF A NAME]. All in one process, for on a busy
-// machine one for each file takes longer than the tests.
+// Runs the unit tests, which are beside the code that they test: node test.mjs [PART OF A NAME]. All run in one
+// process, because one process per file takes longer to start than the tests take.
 import { build } from 'esbuild';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
@@ -11,7 +11,7 @@ if (tests.length === 0) {
   console.error(`no unit test has '${wanted}' in its name`);
   process.exit(1);
 }
-// in this folder, for the packages that they leave to node are beside it
+// in this folder, beside which node finds the packages that are not bundled
 const folder = mkdtempSync('unit-tests-');
 const all = join(folder, 'all.mjs');
 await build({

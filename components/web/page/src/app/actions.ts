@@ -6,7 +6,7 @@ import type { Entity } from '../connection/entities.ts';
 import type { Context } from './context.ts';
 import { download } from './dom.ts';
 
-/// The top-level model, or the light, that the selected entity belongs to.
+/// The top-level model or light that contains the selected entity, or is it.
 export function chosenTop(context: Context): Entity | null {
   const { world, selection } = context;
   const entity = world.entities.get(selection.id);
@@ -33,7 +33,7 @@ function poseNow(context: Context, entity: Entity, message: Message): Message | 
   return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
 }
 
-/// Copies the selected model as SDF to the clipboard; to a file if the browser refuses.
+/// Copies the selected model as SDF to the clipboard; saves it as a file if the browser denies access.
 export async function copyAsSdf(context: Context): Promise<void> {
   const top = chosenTop(context);
   const message = top && messageOf(context, top);
@@ -57,7 +57,7 @@ export function copyChosen(context: Context): void {
   context.log.add('info', `${top.name} can be pasted`);
 }
 
-/// Inserts a copy of the copied model at a place chosen by the user.
+/// Inserts a copy of the copied model at a pose chosen by the user.
 export async function paste(context: Context): Promise<void> {
   if (!copied) return;
   const { name, message } = copied;

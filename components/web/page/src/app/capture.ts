@@ -10,8 +10,8 @@ export async function saveScreenshot(context: Context): Promise<void> {
   await context.attempt('Screenshot', view.screenshot().then((picture) => download(`${world.name}-${stamp()}.png`, picture)));
 }
 
-/// Starts or stops a video.
-/// @return Whether one is being recorded now.
+/// Starts or stops recording a video.
+/// @return Whether a video is being recorded now.
 export async function toggleVideo(context: Context, isTaking: boolean): Promise<boolean> {
   const { view, world, log } = context;
   if (!view) {

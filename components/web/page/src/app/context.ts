@@ -1,4 +1,4 @@
-/// The interface of the page for panels.
+/// The page's interface for its panels.
 import type { Connection } from '../connection/connection.ts';
 import { Emitter } from '../connection/emitter.ts';
 import type { World } from '../connection/world.ts';
@@ -24,9 +24,10 @@ export interface Context {
   view: View | null;
   selection: Selection;
   log: MessageLog;
-  /// Runs something and reports a failure to the user.
+  /// Awaits `work`, and reports a failure to the user.
+  /// @return Whether it succeeded.
   attempt(what: string, work: Promise<unknown>): Promise<boolean>;
-  /// Lets the user choose a place for a model or light; null if cancelled, or if there is no view.
+  /// Lets the user choose a pose for a model or light in the view; null if cancelled, or if there is no view.
   choosePlace(message: Record<string, unknown>): Promise<import('../view/index.ts').Pose | null>;
 }
 
@@ -52,7 +53,7 @@ export interface PanelKind {
   open(context: Context, settings: Settings): Panel;
 }
 
-/// Collects what must end when a panel is closed.
+/// Functions that are called when a panel is closed, to end its subscriptions.
 export class Ends {
   private readonly all: (() => void)[] = [];
   add(...ends: (() => void)[]): void {
@@ -63,7 +64,7 @@ export class Ends {
   };
 }
 
-/// The text of an element in a panel's settings.
+/// The text of the first element with this name in a panel's settings; undefined if there is none or it is empty.
 export function setting(settings: Settings, name: string): string | undefined {
   return settings?.querySelector(name)?.textContent?.trim() || undefined;
 }

@@ -1,10 +1,10 @@
-/// Creates elements of the page in one expression each.
+/// Creates HTML elements, each with attributes and children in one expression.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | ((event: never) => void) | undefined>;
 
-/// h('button', { class: 'x', onclick: f, disabled: true }, 'text'). Names that begin with "on" are listeners; true is
-/// an attribute without a value; false and undefined are left out.
+/// h('button', { class: 'x', onclick: f, disabled: true }, 'text'). Attributes named "on..." are event listeners; true
+/// sets an attribute without a value; false and undefined are ignored.
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K, attributes: Attributes = {}, ...children: Child[]
 ): HTMLElementTagNameMap[K] {
@@ -18,7 +18,8 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/// Makes these the children of an element. Those in their places are not touched, so that neither focus nor a click is lost.
+/// Makes these the children of an element. Children that are already in place are not moved, which would lose focus or
+/// a click in progress.
 export function setChildren(element: Element, children: readonly Element[]): void {
   const wanted = new Set(children);
   for (const child of [...element.children]) if (!wanted.has(child)) child.remove();
@@ -30,7 +31,7 @@ export function setChildren(element: Element, children: readonly Element[]): voi
 
 let nextId = 1;
 
-/// A field preceded by its label.
+/// A field with a label before it.
 export function labelled(text: string, field: HTMLElement, more: Attributes = {}): HTMLElement {
   if (!field.id) field.id = `field-${nextId++}`;
   return h('div', { class: 'field', ...more }, h('label', { for: field.id }, text), field);
@@ -42,7 +43,7 @@ export function numberField(value: number, more: Attributes = {}): HTMLInputElem
   return field;
 }
 
-/// The selection stays if it is still among the choices.
+/// Sets the options of a list. The selected one stays selected if it is still an option.
 export function setChoices(select: HTMLSelectElement, choices: readonly string[], none?: string): void {
   const before = select.value;
   const values = none === undefined ? choices : ['', ...choices];
@@ -51,22 +52,22 @@ export function setChoices(select: HTMLSelectElement, choices: readonly string[]
   select.value = values.includes(before) ? before : (values[0] ?? '');
 }
 
-/// A button with an icon or a character, and its purpose in words.
+/// A button with an icon or a character; `name` is its tooltip and accessible name.
 export function iconButton(icon: Node | string, name: string, act: () => void, more: Attributes = {}): HTMLButtonElement {
   return h('button', { type: 'button', class: 'icon', title: name, 'aria-label': name, onclick: act, ...more }, icon);
 }
 
-/// Up to four significant decimals.
+/// A number with up to four significant decimals.
 export function shortNumber(value: number): string {
   if (!Number.isFinite(value)) return String(value);
   const text = Math.abs(value) >= 1e6 || (value !== 0 && Math.abs(value) < 1e-4) ? value.toExponential(3) : value.toFixed(4);
   return text.includes('e') ? text : text.replace(/\.?0+$/, '') === '-0' ? '0' : text.replace(/\.?0+$/, '');
 }
 
-/// Offers bytes for download.
+/// Saves bytes as a file, by a click on a temporary link.
 export function download(name: string, content: Blob): void {
   const address = URL.createObjectURL(content);
   h('a', { href: address, download: name }).click();
-  // after the click has been handled
+  // revoked later, because the browser may read the address after the click
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

@@ -17,12 +17,12 @@ export interface GuiSettings {
   camera: Sixfold | null;
 }
 
-/// The default panels, as in Fortress's own settings.
+/// The panels of a world without `<gui>`, as in Fortress's default configuration.
 const kDefaults = ['WorldControl', 'WorldStats', 'EntityTree', 'ComponentInspector'];
-/// Plugins that are part of the view.
+/// Plugins whose function the view has.
 const kScenes = ['MinimalScene', 'GzScene3D', 'Scene3D'];
 
-/// Dock of a panel that Fortress's window docks, or floats at a corner of the view.
+/// The dock for a panel: a corner if Fortress's window floats it, with these anchors, in that corner of the view.
 export function placeFor(usual: Dock, state: string | undefined, anchors: readonly string[]): Dock {
   if (state !== 'floating') return usual.startsWith('corner') && state?.startsWith('docked') ? 'right' : usual;
   if (!usual.startsWith('corner')) return usual;

@@ -1,4 +1,4 @@
-/// Icons of buttons: drawn, because not all machines have fonts with such symbols.
+/// Icons of buttons as SVG paths, because not all machines have fonts with such symbols.
 
 const kPaths = {
   play: 'M7 4v16l13-8z',

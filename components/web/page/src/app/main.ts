@@ -1,4 +1,4 @@
-/// The page: connects to the server that it was loaded from, and shows one of its worlds.
+/// The page: connects to the server from which it was loaded, and shows one of its worlds.
 import { Connection, type Socket } from '../connection/connection.ts';
 import { MessageTypes } from '../connection/types.ts';
 import { worldNames } from '../connection/world.ts';
@@ -20,7 +20,8 @@ const tools = h('div', { class: 'tools-place' });
 const place = h('div', { class: 'world-place' });
 const toast = h('div', { class: 'toast', role: 'alert', hidden: true });
 
-/// The token of a server that is open to others is part of the page's address.
+/// The address of the server's WebSocket. The token for servers that are open to other machines is a parameter of the
+/// page's address.
 function socketAddress(): string {
   const token = new URLSearchParams(location.search).get('token');
   const query = token ? `?token=${encodeURIComponent(token)}` : '';
@@ -89,7 +90,7 @@ connection.stateChanged.on((now) => {
 connection.servicesChanged.on(showWorlds);
 connection.infoReceived.on(showState);
 connection.statusReceived.on(({ level, message }) => log.add((['info', 'warning', 'error'] as const)[level] ?? 'error', message));
-// after a reconnection, messages kept by the server arrive again
+// the server sends its last messages again on a reconnection
 let warnedNs = 0n;
 connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {
   if (timeNs <= warnedNs) return;
@@ -99,12 +100,12 @@ connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {
 worlds.addEventListener('change', () => show(worlds.value));
 listenToShortcuts(() => shell?.context ?? null);
 
-// keys go to the world, not to what was clicked last; keyboard users keep the focus
+// removes the focus after a mouse click, so that keys are sent to the world; after keyboard activation it stays
 document.addEventListener('click', ({ detail, target }) => {
   if (detail > 0) (target as Element).closest<HTMLElement>('button, [role="treeitem"]')?.blur();
 });
 
-// models can be dropped anywhere
+// files with models can be dropped anywhere on the page
 window.addEventListener('dragover', (event) => event.preventDefault());
 window.addEventListener('drop', (event) => {
   event.preventDefault();

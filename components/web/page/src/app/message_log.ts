@@ -1,14 +1,14 @@
-/// Messages for the log; errors are also shown at once.
+/// The messages of the log panel; errors are also shown in a box above the page.
 import { Emitter } from '../connection/emitter.ts';
 
 export interface LogLine {
   level: 'info' | 'warning' | 'error';
   text: string;
-  /// When the page received it [ms since 1970].
+  /// Time of receipt [ms since 1970].
   at: number;
-  /// Number of consecutive repetitions.
+  /// Number of times that it arrived consecutively.
   times: number;
-  /// Whether it is only shown in the log.
+  /// Whether it is shown in the log panel only.
   isQuiet: boolean;
 }
 

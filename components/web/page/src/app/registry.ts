@@ -1,4 +1,4 @@
-/// All panels, by the names of Fortress's plugins.
+/// All panels, each with the names of Fortress's plugins that it replaces.
 import { openEntityTree } from '../panels/entity_tree.ts';
 import { openForce } from '../panels/force.ts';
 import { openImageDisplay } from '../panels/image_display.ts';
@@ -45,7 +45,7 @@ export const kPanels: readonly PanelKind[] = [
   { id: 'Log', title: 'Messages', place: 'bottom', open: openLog },
 ];
 
-/// @param plugin "WorldControl", also as "libWorldControl.so".
+/// @param plugin Name of a plugin, "WorldControl" or "libWorldControl.so".
 export function panelFor(plugin: string): PanelKind | undefined {
   const name = plugin.replace(/^lib/, '').replace(/\.so$/, '');
   return kPanels.find(({ id, also }) => id === name || also?.includes(name));

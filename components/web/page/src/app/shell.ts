@@ -1,4 +1,4 @@
-/// One world on the page: its context, panels and view; created again when another world is selected.
+/// One world on the page: its context, panels and view. Created anew when another world is selected.
 import type { Connection } from '../connection/connection.ts';
 import type { Sixfold } from '../connection/poses.ts';
 import { quaternionOf } from '../connection/poses.ts';
@@ -88,7 +88,7 @@ export class Shell {
       world.changed.on(() => {
         if (!world.scene) return;
         view.setScene(world.scene);
-        // entities at rest since then are not in later frames
+        // frames contain only entities that move, so poses of the others have to be applied again
         view.applyFrame(world.allPoses());
       }),
       world.framed.on((frame) => view.applyFrame(frame)),
@@ -96,7 +96,7 @@ export class Shell {
     );
   }
 
-  /// The panels of the world's `<gui>`, and the initial viewpoint.
+  /// Opens the panels of the world's `<gui>`, and sets the initial viewpoint.
   private async openPanels(): Promise<void> {
     const { world, view } = this.context;
     const message = await world.ask('gui/info').catch(() => null);

@@ -28,19 +28,19 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: '/', what: 'Search the entity tree', act: () => document.querySelector<HTMLElement>('.entity-tree input')?.focus() },
 ];
 
-/// The notation of a key press in the list.
+/// The notation of a key press that the list of shortcuts uses.
 export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey'>): string {
   const key = event.key === ' ' ? 'space' : event.key.toLowerCase();
   return `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.altKey ? 'alt+' : ''}${key}`;
 }
 
-/// @param context Of the current world; null: none.
+/// @param context Returns the context of the current world; null if there is none.
 export function listenToShortcuts(context: () => Context | null): void {
   window.addEventListener('keydown', (event) => {
     const now = context();
     if (!now || event.defaultPrevented || isTyping(event.target, event.key)) return;
     const keys = keysOf(event);
-    // selected text is copied instead
+    // leaves Ctrl+C to the browser while text is selected
     if (keys === 'ctrl+c' && String(getSelection()) !== '') return;
     const shortcut = kShortcuts.find((each) => each.keys === keys);
     if (!shortcut) return;

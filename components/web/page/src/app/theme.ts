@@ -1,4 +1,4 @@
-/// Dark or light: the system's setting, until the user chooses.
+/// The colour scheme, dark or light: that of the system, until the user chooses.
 
 export type Theme = 'dark' | 'light';
 
@@ -15,7 +15,7 @@ export function setTheme(theme: Theme): void {
   try {
     localStorage.setItem(kKey, theme);
   } catch {
-    // a browser without storage
+    // the browser does not allow storage
   }
 }
 

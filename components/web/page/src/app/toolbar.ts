@@ -32,7 +32,7 @@ function menu(title: string, items: [string, () => void][]): HTMLElement {
   return details;
 }
 
-/// @param themed Called with the selected theme.
+/// @param themed Called with the theme that the user has selected.
 export function toolbar(context: Context, layout: Layout, themed: () => void): HTMLElement {
   const { view } = context;
   const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
@@ -46,7 +46,7 @@ export function toolbar(context: Context, layout: Layout, themed: () => void): H
   }, { disabled: !view });
   const openPanel = (id: string): void => {
     const kind = kPanels.find((each) => each.id === id)!;
-    // there may be several of these
+    // of these kinds, several panels can be open
     const isMany = ['Plotting', 'TopicEcho', 'ImageDisplay', 'VisualizeLidar', 'PointCloud', 'Publisher'].includes(id);
     if (isMany || !layout.has(kind)) layout.add(kind, context);
     layout.reveal(kind);

@@ -4,7 +4,7 @@ import { Components, componentNumber } from './components.ts';
 import { exampleTypes } from './example_types.ts';
 
 test('a component has the number that Fortress gives it', () => {
-  // computed separately
+  // the expected value was computed by another program
   assert.equal(componentNumber('Pose'), '6612894081701502240');
   assert.equal(componentNumber('Pose'), componentNumber('Pose'));
 });

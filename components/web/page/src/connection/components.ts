@@ -1,9 +1,10 @@
-/// Components of Fortress's states, by name.
+/// Components of entities in Fortress's world states, found by name.
 import type { Message, MessageTypes } from './types.ts';
 
 const numbers = new Map<string, string>();
 
-/// The number of a component in a state, for a name such as "Pose": FNV-1a of its full name, 64 bits, in decimal.
+/// The type id of a component in a world state, for a name such as "Pose": the 64-bit FNV-1a hash of its full name, as
+/// a decimal number.
 export function componentNumber(name: string): string {
   let number = numbers.get(name);
   if (number === undefined) {
@@ -30,13 +31,13 @@ export class Components {
     return component?.component as Uint8Array | undefined;
   }
 
-  /// Components such as numbers and names are text.
+  /// The value of a component that is serialized as text, such as numbers and names.
   text(name: string): string | undefined {
     const bytes = this.bytes(name);
     return bytes && new TextDecoder().decode(bytes);
   }
 
-  /// Numbers separated by blanks; a pose is x y z roll pitch yaw.
+  /// The values of a component with numbers separated by blanks; a pose is x y z roll pitch yaw.
   numbers(name: string): number[] | undefined {
     return this.text(name)?.trim().split(/\s+/).map(Number);
   }

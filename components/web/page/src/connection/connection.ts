@@ -1,4 +1,4 @@
-/// A connection to pongsim, re-established when it breaks: topics, services and files by name.
+/// A connection to pongsim: topics, services and files by name. When it breaks, it is established again.
 import { Emitter } from './emitter.ts';
 import { Latest } from './latest.ts';
 import { Outgoing } from './outgoing.ts';
@@ -25,13 +25,13 @@ export interface Socket {
 
 export interface ConnectionOptions {
   connect(): Socket;
-  /// Calls back for the next animation frame.
+  /// Schedules a call for the next animation frame.
   nextAnimationFrame(callback: () => void): void;
   later(callback: () => void, ms: number): void;
 }
 
 interface Listener {
-  /// Every message, or only the latest before each frame.
+  /// Whether it gets every message; else only the latest one before each animation frame.
   isEvery: boolean;
   receive(payload: Uint8Array, timeNs: bigint, channel: Channel): void;
 }
@@ -39,7 +39,7 @@ interface Listener {
 interface Subscription {
   id: number;
   topic: string;
-  /// Its current channel.
+  /// The channel of the topic on the current connection; null while there is none.
   channel: Channel | null;
   listeners: Set<Listener>;
 }
@@ -48,16 +48,16 @@ const kLongestWaitMs = 5000;
 
 export class Connection {
   state: ConnectionState = 'connecting';
-  /// Keyed by topic, and by name.
+  /// Channels by topic, services by name.
   readonly channels = new Map<string, Channel>();
   readonly services = new Map<string, Service>();
   serverName = '';
   capabilities: string[] = [];
-  /// Why the connection ended.
+  /// Reason for the end of the last connection.
   reason = '';
 
   readonly stateChanged = new Emitter<ConnectionState>();
-  /// The server has sent its information.
+  /// The server has sent its `serverInfo`.
   readonly infoReceived = new Emitter<void>();
   readonly channelsChanged = new Emitter<void>();
   readonly servicesChanged = new Emitter<void>();
@@ -85,9 +85,9 @@ export class Connection {
     return this.capabilities.length > 0 && !this.capabilities.includes('clientPublish');
   }
 
-  /// Subscribes to a topic, now or when it appears, and again after a reconnection. Only the latest message before each
-  /// frame is decoded, unless `isEvery`.
-  /// @return A function that ends it.
+  /// Subscribes to a topic, now or when it is advertised, and again after a reconnection. Only the latest message
+  /// before each animation frame is decoded, unless `isEvery`.
+  /// @return A function that ends the subscription.
   subscribe(topic: string, receive: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
     return this.subscribeBytes(
       topic,
@@ -96,7 +96,7 @@ export class Connection {
     );
   }
 
-  /// Like `subscribe`, with undecoded bytes.
+  /// Like `subscribe`, but passes on the encoded message.
   subscribeBytes(topic: string, receive: Listener['receive'], isEvery = false): () => void {
     let subscription = this.subscriptions.get(topic);
     if (!subscription) {
@@ -110,7 +110,7 @@ export class Connection {
     return () => this.leave(subscription, listener);
   }
 
-  /// @param fields Of the message; others have their defaults.
+  /// @param fields Fields of the message; missing ones have their defaults.
   /// @throws Error if the type is unknown.
   publish(topic: string, type: string, fields: Message): void {
     this.outgoing.publish(topic, type, this.types.encode(type, fields));
@@ -120,11 +120,11 @@ export class Connection {
     this.outgoing.publish(topic, type, payload);
   }
 
-  /// @throws Error with the reason if the service does not exist or refuses, or the connection breaks.
+  /// @throws Error with the reason if the service does not exist or refuses the request, or the connection breaks.
   async call(name: string, fields: Message = {}): Promise<Message> {
     const service = this.services.get(name);
     if (!service?.request || !service.response) {
-      // services that change something are hidden from read-only clients
+      // the server hides services that change something from read-only clients
       throw new Error(`the world has no service ${name}${this.isReadOnly ? ': this page is read-only' : ''}`);
     }
     const request = this.types.encode(service.request.schemaName, fields);
@@ -132,12 +132,12 @@ export class Connection {
     return this.types.decode(service.response.schemaName, answer);
   }
 
-  /// The bytes of a file by its address in the scene.
+  /// Requests a file by its address in the scene.
   asset(address: string): Promise<ArrayBuffer> {
     return this.requests.asset(address, (data) => this.sendNow(data));
   }
 
-  /// Calls back for the next animation frame.
+  /// Schedules a call for the next animation frame.
   nextAnimationFrame(callback: () => void): void {
     this.options.nextAnimationFrame(callback);
   }
@@ -250,7 +250,7 @@ export class Connection {
   private removeChannels(ids: Set<number>): void {
     for (const [topic, { id }] of this.channels) if (ids.has(id)) this.channels.delete(topic);
     for (const subscription of this.byId.values()) {
-      // the server has ended it
+      // the server has ended the channel
       if (subscription.channel && ids.has(subscription.channel.id)) subscription.channel = null;
     }
   }

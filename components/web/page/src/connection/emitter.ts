@@ -1,8 +1,8 @@
-/// Calls all listeners for each change. A listener that throws does not affect the others.
+/// A list of listeners, which are called for each change. An exception in one does not prevent calls of the others.
 export class Emitter<T> {
   private readonly listeners = new Set<(value: T) => void>();
 
-  /// @return A function that ends it.
+  /// @return A function that removes the listener.
   on(listener: (value: T) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -8,14 +8,14 @@ import { MessageTypes, type Message } from './types.ts';
 
 const text = (value: string | number): Uint8Array => new TextEncoder().encode(String(value));
 
-/// The part of ignition-msgs that the tests need, written by the build.
+/// The descriptors of the ignition-msgs types that the tests use, written by the build.
 function types(): MessageTypes {
   const all = new MessageTypes();
   all.add(new Uint8Array(readFileSync('../../share/pongsim/message_types')));
   return all;
 }
 
-/// A state with entities by number, each with its components.
+/// A world state: entities by id, each with components by name.
 function state(entities: Record<number, Record<string, Uint8Array>>): Message {
   const made: Message = {};
   for (const [id, components] of Object.entries(entities)) {

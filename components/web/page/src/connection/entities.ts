@@ -1,4 +1,4 @@
-/// The entities of a world: those of its state as a tree, and its scene completed from the state.
+/// The entities of a world: those of its state as a tree, and its scene, completed from the state.
 import { Components } from './components.ts';
 import { poseMessage, type Sixfold } from './poses.ts';
 import type { Message, MessageTypes } from './types.ts';
@@ -26,7 +26,7 @@ export const kSensorTypes: [string, string][] = [
 ];
 /// ignition.msgs.Geometry.Type
 const kMesh = 6;
-/// ignition.msgs.Joint.Type for sdf::JointType, from 1; there is no continuous, and fixed is 7.
+/// ignition.msgs.Joint.Type by sdf::JointType, which begins at 1. There is no continuous type; 7 is fixed.
 const kJointTypes = [0, 4, 0, 7, 6, 2, 0, 1, 5, 3];
 export const kJointNames = [
   '', 'ball', 'continuous', 'fixed', 'gearbox', 'prismatic', 'revolute', 'revolute2', 'screw', 'universal',
@@ -36,7 +36,7 @@ export class Entities {
   readonly byId = new Map<number, Entity>();
   readonly world: Entity | null;
 
-  /// @param step An ignition.msgs.SerializedStepMap with all entities; undefined: none.
+  /// @param step An ignition.msgs.SerializedStepMap with all entities; null: a world without entities.
   constructor(step: Message | null) {
     const all = (step?.state?.entities ?? {}) as Record<string, Message>;
     for (const [key, entity] of Object.entries(all)) {
@@ -65,20 +65,20 @@ export class Entities {
     return [...this.byId.values()].filter((entity) => entity.kind === kind).sort((a, b) => a.id - b.id);
   }
 
-  /// The top-level model of an entity; a light of the world and an actor are their own.
+  /// The top-level model that contains an entity; the entity itself if it is an actor or a light of the world.
   topOf(entity: Entity): Entity {
     let top = entity;
     while (top.parent && top.parent.kind !== 'world') top = top.parent;
     return top;
   }
 
-  /// The scoped name, such as "robot::arm::hand".
+  /// The scoped name of an entity, such as "robot::arm::hand".
   scopedName(entity: Entity): string {
     const parent = entity.parent;
     return parent && parent.kind !== 'world' ? `${this.scopedName(parent)}::${entity.name}` : entity.name;
   }
 
-  /// The link of a model with that name, as scoped in SDF.
+  /// The link of a model by its scoped name in SDF.
   linkOf(model: Entity, scoped: string): Entity | undefined {
     const [first, ...rest] = scoped.split('::');
     const found = model.children.find(({ name, kind }) => name === first && (rest.length > 0 ? kind === 'model' : kind === 'link'));
@@ -86,8 +86,8 @@ export class Entities {
   }
 }
 
-/// Completes the scene (an ignition.msgs.Scene) from the state: surroundings, joints, collisions, inertia,
-/// transparency, types of sensors, and actors as models without links.
+/// Completes an ignition.msgs.Scene with values that only the state contains: ambient light, background, sky, shadows,
+/// grid, joints, collisions, inertia, transparency, types of sensors, and actors as models without links.
 export function completeScene(scene: Message, entities: Entities, types: MessageTypes): Message {
   const world = entities.world;
   const surroundings = world?.components.message('Scene', 'ignition.msgs.Scene', types);
@@ -99,7 +99,7 @@ export function completeScene(scene: Message, entities: Entities, types: Message
   return scene;
 }
 
-/// The visible parts of an actor: its skin, in the pose of its file, and the visuals of its links.
+/// An actor as an ignition.msgs.Model: its skin, at the pose in the file, and the visuals of its links.
 function actorMessage(actor: Entity, types: MessageTypes): Message {
   const { id, name, components } = actor;
   const message = components.message('Actor', 'ignition.msgs.Actor', types);
@@ -156,7 +156,7 @@ export function sensorType(sensor: Entity): string | undefined {
   return kSensorTypes.find(([component]) => sensor.components.has(component))?.[1];
 }
 
-/// A sensor's settings as an ignition.msgs.Sensor, if the state contains them.
+/// The settings of a sensor as an ignition.msgs.Sensor; undefined if the state does not contain them.
 export function sensorSettings(sensor: Entity, types: MessageTypes): Message | undefined {
   const component = kSensorTypes.find(([name]) => sensor.components.has(name))?.[0];
   return component ? sensor.components.message(component, 'ignition.msgs.Sensor', types) : undefined;

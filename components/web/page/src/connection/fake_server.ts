@@ -1,4 +1,4 @@
-/// A server's side of a connection, for unit tests: records what the page sends, and calls it with messages.
+/// The server's side of a connection, for unit tests: records what the page sends, and passes messages to it.
 import { exampleDescriptors } from './example_types.ts';
 import type { Channel, Service } from './protocol.ts';
 import type { ConnectionOptions, Socket } from './connection.ts';
@@ -13,7 +13,7 @@ export const exampleService = (id: number, name: string): Service => ({
 
 export class FakeServer implements Socket {
   static last: FakeServer;
-  /// Scheduled calls.
+  /// Calls scheduled for the next animation frame, and for a time.
   static pictures: (() => void)[] = [];
   static timers: (() => void)[] = [];
   static readonly options: ConnectionOptions = {

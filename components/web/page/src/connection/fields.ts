@@ -1,9 +1,10 @@
-/// Fields of message types: numbers in messages by path, such as "pose.position.x" and "position[2]".
+/// Numeric fields of messages by path, such as "pose.position.x" and "position[2]".
 import type { DescField, DescMessage } from '@bufbuild/protobuf';
 import { ScalarType } from '@bufbuild/protobuf';
 import type { Message } from './types.ts';
 
-/// The path of every number, boolean and enum in the message, with its value; of lists up to `most` elements.
+/// The paths of all numbers, booleans and enums in a message, with their values; at most `most` elements of each
+/// repeated field.
 export function numbersIn(type: DescMessage, message: Message, most = 20): { path: string; value: number }[] {
   const found: { path: string; value: number }[] = [];
   collect(type, message, '', most, found);
@@ -38,8 +39,8 @@ function fieldOf(field: DescField, message: Message): unknown {
   return choice?.case === field.localName ? choice.value : undefined;
 }
 
-/// Reads the same number of many messages, with a parsed path.
-/// @return The number at the path, NaN if there is none.
+/// Parses a path once, to read the number from many messages.
+/// @return A function that returns the number at the path; NaN if the message has none.
 /// @throws Error if the type has no such path.
 export function numberReader(type: DescMessage, path: string): (message: Message) => number {
   const parts = path.split('.');

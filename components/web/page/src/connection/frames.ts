@@ -1,4 +1,5 @@
-/// Frames of the channel /world/NAME/frame: world poses of what has moved since this client's previous frame.
+/// Frames of the channel /world/NAME/frame: the world poses of entities that have moved since this client's previous
+/// frame.
 
 export interface Frame {
   /// Simulated time.
@@ -15,7 +16,7 @@ export interface Frame {
   poses: Float32Array;
 }
 
-/// "PWF1"; web/frames/frame.hh defines the format.
+/// The bytes "PWF1"; web/frames/frame.hh defines the format.
 const kMagic = 0x31465750;
 const kHeadBytes = 48;
 const kEntryBytes = 32;
@@ -45,9 +46,9 @@ export function readFrame(bytes: Uint8Array): Frame {
   };
 }
 
-/// Collects frames until the next animation frame: each contains only changes, so none may be dropped.
+/// Merges all frames that arrive between two animation frames. None may be dropped, because each contains only changes.
 export class FrameGatherer {
-  /// The latest pose of each.
+  /// The latest pose of each entity.
   readonly poses = new Map<number, Float32Array>();
   private readonly moved = new Set<number>();
   private last: Frame | null = null;
@@ -67,7 +68,7 @@ export class FrameGatherer {
     this.last = frame;
   }
 
-  /// @return Everything that has moved since the last call, as one frame; null if nothing has.
+  /// @return All entities that have moved since the last call, as one frame; null if none has.
   take(): Frame | null {
     if (!this.last) return null;
     const frame = this.frameOf([...this.moved], this.last);
@@ -76,7 +77,7 @@ export class FrameGatherer {
     return frame;
   }
 
-  /// @return All poses, as a frame of that revision.
+  /// @return The poses of all entities, as a frame with this revision.
   all(revision: number): Frame {
     const nothing = { timeNs: 0n, iterations: 0n, realTimeFactor: 0, isPaused: true, hasAll: true, revision };
     return this.frameOf([...this.poses.keys()], { ...nothing, ids: new Uint32Array(), poses: new Float32Array() });

@@ -1,13 +1,13 @@
-/// Keeps only the latest value of each key until the next animation frame: a page that can't keep up, or that is
-/// hidden, gets fewer values and never outdated ones.
+/// Keeps only the latest value of each key until the next animation frame. A page that is too slow, or hidden,
+/// processes fewer values, and never outdated ones.
 export class Latest {
   private readonly waiting = new Map<unknown, () => void>();
   private isScheduled = false;
 
-  /// @param nextAnimationFrame Schedules a call: requestAnimationFrame, except in tests.
+  /// @param nextAnimationFrame Schedules a call; `requestAnimationFrame`, except in tests.
   constructor(private readonly nextAnimationFrame: (callback: () => void) => void) {}
 
-  /// @param deliver Called once, unless a newer value with the same key arrives before.
+  /// @param deliver Called in the next animation frame, unless a newer value with the same key replaces it before.
   put(key: unknown, deliver: () => void): void {
     this.waiting.set(key, deliver);
     if (this.isScheduled) return;

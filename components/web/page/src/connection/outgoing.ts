@@ -1,4 +1,4 @@
-/// The topics on which this page publishes: each is advertised with its first message, and again on a new connection.
+/// Publishing: a topic is advertised with its first message, and again on each new connection.
 import { publishFrame } from './protocol.ts';
 import type { MessageTypes } from './types.ts';
 
@@ -11,7 +11,7 @@ export class Outgoing {
     private readonly send: (data: string | Uint8Array<ArrayBuffer>) => void,
   ) {}
 
-  /// A new connection, on which nothing is advertised yet.
+  /// To be called for a new connection, on which no topic is advertised yet.
   begin(): void {
     this.ids.clear();
   }

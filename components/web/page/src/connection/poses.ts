@@ -1,4 +1,4 @@
-/// Poses as numbers, messages and texts.
+/// Poses as numbers, as messages and as text.
 import type { Message } from './types.ts';
 
 /// x, y, z [m], roll, pitch, yaw [rad], as in SDF.
@@ -28,26 +28,26 @@ export function rollPitchYawOf([x, y, z, w]: Quaternion): [number, number, numbe
   ];
 }
 
-/// An ignition.msgs.Pose.
+/// The pose as an ignition.msgs.Pose.
 export function poseMessage([x, y, z, roll, pitch, yaw]: Sixfold): Message {
   const [qx, qy, qz, qw] = quaternionOf(roll, pitch, yaw);
   return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
 }
 
-/// Unset values are 0, an unset rotation is the identity.
+/// The pose of a message. Unset positions are 0, an unset rotation is the identity.
 export function sixfoldOf(pose: Message | undefined): Sixfold {
   const { x = 0, y = 0, z = 0 } = (pose?.position ?? {}) as Message;
   const { x: qx = 0, y: qy = 0, z: qz = 0, w: qw = 1 } = (pose?.orientation ?? {}) as Message;
   return [x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])];
 }
 
-/// Parses six numbers separated by blanks; nothing for other text.
+/// Parses six numbers separated by blanks; null for any other text.
 export function parseSixfold(text: string): Sixfold | null {
   const numbers = text.trim().split(/\s+/).map(Number);
   return numbers.length === 6 && numbers.every(Number.isFinite) ? (numbers as Sixfold) : null;
 }
 
-/// As few digits as the number needs, to a billionth.
+/// The number with as few digits as necessary, rounded to 1e-9.
 export function shortest(value: number): string {
   const rounded = Math.round(value * 1e9) / 1e9;
   return String(Number.isFinite(rounded) ? rounded + 0 : value);

@@ -3,10 +3,10 @@
 export interface Channel {
   id: number;
   topic: string;
-  /// "protobuf", or "pongsim" for channels that only this page is offered.
+  /// "protobuf", or "pongsim" for channels of pongsim.web.v1, which are only offered to this page.
   encoding: string;
   schemaName: string;
-  /// With "protobuf": a FileDescriptorSet in base64.
+  /// For "protobuf": a FileDescriptorSet in base64.
   schema: string;
 }
 
@@ -24,7 +24,7 @@ export interface Service {
   response?: ServiceSide;
 }
 
-/// Text messages of the server.
+/// Messages of the server in JSON.
 export type ServerMessage =
   | { op: 'serverInfo'; name: string; capabilities: string[]; sessionId?: string; metadata?: Record<string, string> }
   | { op: 'status'; level: 0 | 1 | 2; message: string; id?: string }
@@ -37,7 +37,7 @@ export type ServerMessage =
   | { op: 'parameterValues' }
   | { op: 'connectionGraphUpdate' };
 
-/// Binary messages of the server.
+/// Messages of the server in binary form.
 export type ServerFrame =
   | { op: 'data'; subscription: number; timeNs: bigint; payload: Uint8Array }
   | { op: 'time'; timeNs: bigint }
@@ -53,8 +53,8 @@ export function readText(text: string): ServerMessage {
   return message as ServerMessage;
 }
 
-/// The payload is a view of the given bytes.
-/// @throws Error if they are too short, or start with an unknown operation.
+/// The result's payload is a view of `bytes`, not a copy.
+/// @throws Error if there are too few bytes, or the operation in the first one is unknown.
 export function readFrame(bytes: Uint8Array): ServerFrame {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const rest = (from: number): Uint8Array => {
@@ -86,7 +86,7 @@ export function readFrame(bytes: Uint8Array): ServerFrame {
   throw new Error(`a frame of the server begins with ${bytes[0]}, which is unknown`);
 }
 
-/// A message on a channel advertised by this client.
+/// A binary message on a channel that this client has advertised.
 export function publishFrame(channel: number, payload: Uint8Array): Uint8Array<ArrayBuffer> {
   const frame = new Uint8Array(5 + payload.length);
   const view = new DataView(frame.buffer);

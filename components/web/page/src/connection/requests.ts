@@ -1,4 +1,4 @@
-/// Pending service calls and requests for files.
+/// Service calls and requests for files without a response so far.
 import { callFrame } from './protocol.ts';
 
 type Send = (data: string | Uint8Array<ArrayBuffer>) => void;

@@ -1,4 +1,4 @@
-/// Writes a model as SDF, from scene and state. These lack plugins, sensors and friction.
+/// Writes a model as SDF, from scene and state, which contain no plugins, sensors and friction.
 import { shortest, sixfoldOf } from './poses.ts';
 import type { Message } from './types.ts';
 
@@ -33,7 +33,7 @@ class Lines {
 }
 
 /// @param model An ignition.msgs.Model of a completed scene.
-/// @param pose Where it is now: an ignition.msgs.Pose.
+/// @param pose Its current pose, an ignition.msgs.Pose.
 export function modelSdf(model: Message, pose: Message | undefined): string {
   const lines = new Lines();
   lines.within('sdf version="1.9"', () => writeModel(model, pose, lines));

@@ -26,7 +26,7 @@ test('a decoded message may be copied and changed', () => {
   assert.deepEqual([after.x, after.where.name, after.where.list, after.where.where.x], [5, 'b', [4], 6]);
   assert.deepEqual(after.points.map(({ x, name }: { x: number; name: string }) => [x, name]), [[2, ''], [0, 'new']]);
   assert.deepEqual([...after.data, after.big], [7, 9n]);
-  // neither has any, and the message is still its own
+  // `where` is unset in the decoded message, and set here to a plain object without a type name
   const added = types.decode('test.Point', types.encode('test.Point', { ...types.decode('test.Point', new Uint8Array()), where: { x: 3 } }));
   assert.equal(added.where.x, 3);
   assert.equal(before.x, 1);

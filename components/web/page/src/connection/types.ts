@@ -10,8 +10,8 @@ import { FileDescriptorSetSchema } from '@bufbuild/protobuf/wkt';
 // the fields are only known by reflection
 export type Message = Record<string, any>;
 
-/// A copy without the names of types: the library takes what has one for a whole message, even if parts of it were
-/// replaced by plain objects.
+/// A copy without type names, because protobuf-es encodes an object with a type name as it is, even if some of its
+/// fields were replaced by plain objects.
 function fieldsOf(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(fieldsOf);
   if (value === null || typeof value !== 'object' || ArrayBuffer.isView(value)) return value;
@@ -23,13 +23,13 @@ export class MessageTypes {
   private readonly registries: FileRegistry[] = [];
   private readonly schemasSeen = new Set<string>();
 
-  /// Adds the types of a FileDescriptorSet. An existing type stays.
+  /// Adds the types of a FileDescriptorSet. Types that are known already are not replaced.
   /// @throws Error if the bytes are invalid.
   add(descriptors: Uint8Array): void {
     this.registries.push(createFileRegistry(fromBinary(FileDescriptorSetSchema, descriptors)));
   }
 
-  /// The same from base64, as in channels; not parsed if the type is known already.
+  /// Like `add`, for the base64 text in a channel. Not parsed if the type is known.
   addSchema(typeName: string, base64: string): void {
     if (this.find(typeName) || this.schemasSeen.has(typeName)) return;
     this.schemasSeen.add(typeName);
@@ -51,7 +51,7 @@ export class MessageTypes {
     return found;
   }
 
-  /// The names of all top-level messages, in order.
+  /// The sorted names of all top-level message types.
   names(): string[] {
     const names = new Set<string>();
     for (const registry of this.registries) {
@@ -64,7 +64,7 @@ export class MessageTypes {
     return fromBinary(this.get(typeName), bytes) as Message;
   }
 
-  /// @param fields As in a decoded message, or parts of it; missing ones have their defaults.
+  /// @param fields The fields of a message; missing ones have their defaults.
   encode(typeName: string, fields: Message): Uint8Array {
     const type = this.get(typeName);
     return toBinary(type, create(type, fieldsOf(fields) as AnyMessage));
@@ -76,7 +76,7 @@ export class MessageTypes {
     return toBinary(type, fromJson(type, json));
   }
 
-  /// For display: enums by name, 64-bit numbers and bytes as text.
+  /// A message as JSON for display: enums by name, 64-bit numbers and bytes as text.
   json(typeName: string, message: Message): JsonValue {
     return toJson(this.get(typeName), message as AnyMessage, { useProtoFieldName: true });
   }

@@ -1,4 +1,4 @@
-/// One world of the server: its entities, their poses, and actions on it.
+/// One world of the server: its entities and poses, and requests to change it.
 import type { Connection } from './connection.ts';
 import { Emitter } from './emitter.ts';
 import { completeScene, Entities } from './entities.ts';
@@ -10,18 +10,18 @@ import type { Message } from './types.ts';
 export const kModel = 2;
 export const kLight = 1;
 
-/// The names of all worlds that can be controlled or viewed; read-only clients do not see control services.
+/// The names of all worlds, by their services: `control`, and `scene/info`, which read-only clients also see.
 export function worldNames(services: Iterable<string>): string[] {
   const names = [...services].map((name) => /^\/world\/([^/]+)\/(?:control|scene\/info)$/.exec(name)?.[1]);
   return [...new Set(names.filter((name) => name !== undefined))].sort();
 }
 
 export class World {
-  /// An ignition.msgs.Scene completed from the state; null until it has arrived, or if no system provides it.
+  /// An ignition.msgs.Scene, completed from the state; null until it has been received, or if no system provides it.
   scene: Message | null = null;
   entities = new Entities(null);
   readonly changed = new Emitter<World>();
-  /// What has moved since the previous frame.
+  /// Called with the poses that have changed since the previous call.
   readonly framed = new Emitter<Frame>();
   revision = -1;
   private readonly frames = new FrameGatherer();
@@ -50,7 +50,7 @@ export class World {
     return this.frames.poses;
   }
 
-  /// All of them as a frame, for new listeners.
+  /// The latest poses of all links and models as one frame, for a new listener.
   allPoses(): Frame {
     return this.frames.all(this.revision);
   }
@@ -65,7 +65,7 @@ export class World {
   }
 
   /// Calls a service of this world.
-  /// @throws Error with the reason.
+  /// @throws Error with the reason if it fails.
   async ask(service: string, fields: Message = {}): Promise<Message> {
     return this.connection.call(this.path(service), fields);
   }
@@ -83,22 +83,22 @@ export class World {
     await this.ask('remove', { id: BigInt(id), type: isLight ? kLight : kModel });
   }
 
-  /// @param sdf Text of SDF or URDF with one model or light.
+  /// @param sdf SDF or URDF with one model or light.
   async spawn(sdf: string, pose: Sixfold | null, name = ''): Promise<void> {
     await this.ask('create', {
       from: { case: 'sdf', value: sdf }, name, allowRenaming: true, ...(pose ? { pose: poseMessage(pose) } : {}),
     });
   }
 
-  /// @param model Name of an existing model, which is copied.
+  /// @param model Name of the model to copy.
   async clone(model: string, pose: Sixfold): Promise<void> {
     await this.ask('create', {
       from: { case: 'cloneName', value: model }, name: model, allowRenaming: true, pose: poseMessage(pose),
     });
   }
 
-  /// Requests scene and state again; if something changes meanwhile, once more.
-  /// @return When what has been read is no older than this call.
+  /// Requests scene and state, and repeats it if `read` is called meanwhile.
+  /// @return Resolved when the scene and state are at least as new as this call.
   read(): Promise<void> {
     this.isStale = true;
     return (this.reading ??= this.readUntilFresh());
@@ -110,7 +110,7 @@ export class World {
       try {
         await this.readOnce();
       } catch {
-        // interrupted, or no system provides the scene: it is requested when the service appears
+        // the connection broke, or no system provides the scene: it is requested when the service appears
       }
     }
     this.reading = null;

@@ -7,7 +7,7 @@ const kSigns: Record<Kind, string> = {
   world: 'W', model: 'M', link: 'L', joint: 'J', visual: 'V', collision: 'C', sensor: 'S', light: '☀', actor: 'A',
 };
 
-/// Whether the entity, or one below it, matches the search with its name or kind.
+/// Whether the name or kind of the entity, or of one below it, contains the words.
 export function matches(entity: Entity, words: string): boolean {
   const own = `${entity.name} ${entity.kind}`.toLowerCase();
   return own.includes(words) || entity.children.some((child) => matches(child, words));
@@ -21,7 +21,7 @@ export function openEntityTree(context: Context): Panel {
   const tree = h('ul', { class: 'tree', role: 'tree', 'aria-label': 'Entities' });
   const element = h('div', { class: 'entity-tree' }, search, tree);
 
-  // by id: an item stays while the world changes
+  // items by entity id; they are kept when the world changes, and with them focus and clicks
   let items = new Map<number, HTMLElement>();
   let before = items;
 
@@ -60,7 +60,7 @@ export function openEntityTree(context: Context): Panel {
     setChildren(tree, shown.length > 0 ? shown : [h('li', { role: 'treeitem', class: 'hint' }, why)]);
     const reached = tree.querySelector<HTMLElement>(`li[data-id="${selection.id}"]`) ?? tree.querySelector('li');
     reached?.setAttribute('tabindex', '0');
-    // an item that has been moved has lost it
+    // an element that is moved in the document loses the focus
     if (focused && document.activeElement !== focused) tree.querySelector<HTMLElement>(`li[data-id="${focused.dataset.id}"]`)?.focus();
   };
   const idOf = (event: Event): number | null => {
@@ -97,8 +97,9 @@ export function openEntityTree(context: Context): Panel {
   return { element, close: ends.end };
 }
 
-/// The keys of a tree: up and down; right opens; left closes or moves to the parent.
-/// @return Whether the key was one of them.
+/// Moves in the tree by keys, as in ARIA's tree view pattern: up and down; right opens; left closes or moves to the
+/// parent.
+/// @return Whether the key was handled.
 function moveInTree(tree: HTMLElement, event: KeyboardEvent, turn: (id: number, isOpen: boolean) => void): boolean {
   const item = (event.target as HTMLElement).closest<HTMLElement>('li');
   const items = [...tree.querySelectorAll<HTMLElement>('li[data-id]')];

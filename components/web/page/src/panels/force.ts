@@ -1,4 +1,4 @@
-/// Pushes and turns a link: wrenches on the topics of ApplyLinkWrench.
+/// Applies forces and torques to a link: publishes wrenches on the topics of ApplyLinkWrench.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, labelled, numberField, setChoices } from '../app/dom.ts';
 import type { Entity } from '../connection/entities.ts';

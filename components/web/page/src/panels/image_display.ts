@@ -1,4 +1,4 @@
-/// The images of a camera.
+/// Shows the images on a camera's topic.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { imagePixels } from './image_pixels.ts';

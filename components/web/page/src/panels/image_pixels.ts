@@ -12,8 +12,8 @@ const kFormats: Record<number, { bytes: number; read: (data: DataView, at: numbe
   13: { bytes: 4, read: (data, at) => data.getFloat32(at, true) },
 };
 
-/// An image of width x height pixels, 4 bytes each. Depths and temperatures are from black (smallest) to white
-/// (largest); infinite values and NaN are black.
+/// Converts an image to 4 bytes per pixel. Depths and temperatures are grey, from black (smallest) to white (largest);
+/// infinite values and NaN are black.
 /// @throws Error if the format is not supported, or bytes are missing.
 export function imagePixels(image: Message): { width: number; height: number; pixels: Uint8ClampedArray<ArrayBuffer> } {
   const [width, height] = [image.width as number, image.height as number];

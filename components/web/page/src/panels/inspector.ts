@@ -1,4 +1,4 @@
-/// Information about the selected entity: its current pose and its components.
+/// Shows the selected entity: its current pose, and its components.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, shortNumber } from '../app/dom.ts';
 import { Components } from '../connection/components.ts';
@@ -11,7 +11,7 @@ type Rows = [name: string, value: string][];
 const list = (numbers: readonly number[]): string => numbers.map(shortNumber).join('  ');
 const vector = (v: Message | undefined): string => list([v?.x ?? 0, v?.y ?? 0, v?.z ?? 0]);
 
-/// Names and values to show.
+/// The names and values to show for an entity.
 export function rowsOf(entity: Entity, types: MessageTypes): Rows {
   const { components, kind } = entity;
   const rows: Rows = [['Name', entity.name], ['Kind', kind], ['Entity', String(entity.id)]];
@@ -111,7 +111,7 @@ export function openInspector(context: Context): Panel {
       pose.textContent = list(entity.components.numbers('Pose') ?? []) || '–';
     }
   };
-  // joint positions are not in the page's pose frames, but in the state
+  // joint positions are not in the pose frames, so the state is subscribed to while a joint is selected
   let endState: (() => void) | null = null;
   const followJoint = (): void => {
     endState?.();

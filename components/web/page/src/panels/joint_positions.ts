@@ -1,10 +1,10 @@
-/// Target positions of a model's joints, for JointPositionController: Doubles on its topics.
+/// Sets target positions of a model's joints: publishes Doubles on the topics of JointPositionController.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, numberField, setChoices } from '../app/dom.ts';
 import { kJointNames, type Entity } from '../connection/entities.ts';
 import type { Message } from '../connection/types.ts';
 
-/// Range of a joint's slider; without limits it is one turn, or one metre in each direction.
+/// The range of a joint's slider: its limits; without limits one turn, or 1 m, in each direction.
 export function rangeOf(kind: string, axis: Message | undefined): [number, number] {
   const [lower, upper] = [axis?.limitLower as number, axis?.limitUpper as number];
   const isLimited = Number.isFinite(lower) && Number.isFinite(upper) && upper > lower && upper - lower < 1e3;

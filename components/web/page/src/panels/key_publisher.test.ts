@@ -3,7 +3,7 @@ import test from 'node:test';
 import { keyNumber } from './key_publisher.ts';
 
 test('keys have the numbers that Qt gives them', () => {
-  // as in the moving-robot tutorial
+  // the codes in Fortress's moving robot tutorial
   assert.equal(keyNumber('ArrowUp'), 16777235);
   assert.equal(keyNumber('ArrowLeft'), 16777234);
   assert.equal(keyNumber('ArrowRight'), 16777236);

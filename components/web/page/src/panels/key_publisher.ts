@@ -1,4 +1,4 @@
-/// Publishes keys pressed anywhere in the page, like Fortress's Key Publisher: an Int32 with Qt's key code on
+/// Publishes keys that are pressed anywhere in the page, like Fortress's Key Publisher: Qt's key code as an Int32 on
 /// /keyboard/keypress.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled } from '../app/dom.ts';
@@ -10,16 +10,16 @@ const kNamed: Record<string, number> = {
   Meta: 0x01000022, Alt: 0x01000023,
 };
 
-/// @param key Of a KeyboardEvent.
-/// @return Qt's key code, or nothing if there is none.
+/// @param key `KeyboardEvent.key`.
+/// @return Qt's key code; undefined if there is none.
 export function keyNumber(key: string): number | undefined {
   const functionKey = /^F(\d{1,2})$/.exec(key);
   if (functionKey) return 0x01000030 + Number(functionKey[1]) - 1;
-  // Qt's codes of letters are those of their capitals
+  // Qt's code of a letter is that of the capital
   return [...key].length === 1 ? key.toUpperCase().codePointAt(0) : kNamed[key];
 }
 
-/// Whether the key has a function in the focused element, and so is not meant for the robot.
+/// Whether the focused element uses the key, so that it is not published.
 export function isTyping(target: EventTarget | null, key: string): boolean {
   const element = target as HTMLElement | null;
   if (!element?.closest) return false;
@@ -39,7 +39,7 @@ export function openKeyPublisher(context: Context, settings: Settings): Panel {
   const press = (event: KeyboardEvent): void => {
     if (!isOn.checked || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target, event.key)) return;
     const number = keyNumber(event.key);
-    // keeps Tab navigation and the page's help working
+    // leaves the keys for navigation and for the page's help to the browser
     if (number === undefined || event.key === 'Tab' || event.key === '?') return;
     event.preventDefault();
     event.stopImmediatePropagation();
@@ -50,7 +50,7 @@ export function openKeyPublisher(context: Context, settings: Settings): Panel {
       log.add('error', `Key Publisher: ${(fault as Error).message}`);
     }
   };
-  // before the page's shortcuts
+  // capture: called before the page's shortcuts
   window.addEventListener('keydown', press, { capture: true });
   ends.add(() => window.removeEventListener('keydown', press, { capture: true }));
   const element = h('div', { class: 'key-publisher' },

@@ -1,10 +1,10 @@
-/// The ranges of a lidar around it, forward up, and in the 3D view.
+/// Plots the ranges of a lidar in polar coordinates, forward up, and shows them in the 3D view.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, shortNumber } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
 import { topicChooser } from './topics.ts';
 
-/// Positions of the hits of one ring, x forward and y left [m]; beams without a hit are left out.
+/// Positions of the hits of one ring, x forward and y left [m]; beams without a hit are omitted.
 export function hitsOf(scan: Message, ring: number): [number, number][] {
   const hits: [number, number][] = [];
   const ranges = scan.ranges as number[];
@@ -34,7 +34,7 @@ function draw(canvas: HTMLCanvasElement, scan: Message, reach: number): void {
     context.stroke();
   }
   context.fillStyle = style.getPropertyValue('--accent');
-  // of several rings, the middle one
+  // the middle one of several rings
   const ring = Math.floor(((scan.verticalCount as number) || 1) / 2);
   for (const [x, y] of hitsOf(scan, ring)) context.fillRect(centre - y * scale - 1.5, centre - x * scale - 1.5, 3, 3);
   context.fillStyle = style.getPropertyValue('--text');

@@ -1,4 +1,4 @@
-/// The lights of the world: switched, dimmed and added.
+/// The world's lights: switches, intensities, and buttons that add lights.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField, setChildren } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
@@ -6,19 +6,19 @@ import { lightSdf, type LightType } from './shapes.ts';
 
 const kKey = 'isLightOn';
 
-/// Whether a light is on: Fortress stores that in the message's header.
+/// Whether a light is on. Fortress stores that in the message's header, as `isLightOn`.
 export function isOn(light: Message): boolean {
   const entry = (light.header?.data as Message[] | undefined)?.find(({ key }) => key === kKey);
   return entry?.value?.[0] !== '0';
 }
 
-/// The same light, switched on or off.
+/// A copy of the light message, switched on or off.
 export function switched(light: Message, on: boolean): Message {
   const data = ((light.header?.data ?? []) as Message[]).filter(({ key }) => key !== kKey);
   return { ...light, header: { ...light.header, data: [...data, { key: kKey, value: [on ? '1' : '0'] }] } };
 }
 
-/// A light's row, which stays while the light changes, so that neither focus nor a click is lost.
+/// The row of a light, kept while the light changes, because a new element would lose focus or a click in progress.
 class Row {
   private light: Message = {};
   private changes = 0;
@@ -27,7 +27,7 @@ class Row {
   private readonly intensity = numberField(1, { min: 0, step: 0.1, class: 'short' });
   readonly element = h('div', { class: 'row' }, this.box, this.name, this.intensity);
 
-  /// @param change Asks for the changed light; until it is done, the row shows what is asked for.
+  /// @param change Requests the change of the light. Until its promise settles, the row shows the requested values.
   constructor(private readonly change: (light: Message) => Promise<void>, choose: () => void) {
     this.box.addEventListener('change', () => void this.ask(switched(this.light, this.box.checked)));
     this.intensity.addEventListener('change', () => void this.ask({ ...this.light, intensity: this.intensity.valueAsNumber || 0 }));
@@ -73,7 +73,7 @@ export function openLights(context: Context): Panel {
   const change = async (light: Message): Promise<void> => {
     await context.attempt('Light', world.ask('light_config', light));
     await world.read();
-    // once this change is over; also after a refusal
+    // after `isChanging` has become false, also if the request was refused, to show the actual values
     setTimeout(show);
   };
   const add = (type: LightType): HTMLElement => h('button', {

@@ -1,4 +1,4 @@
-/// Messages: warnings of the server, refusals, errors of the page.
+/// The log: warnings of the server, refused requests, errors of the page.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 

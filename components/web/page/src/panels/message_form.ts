@@ -1,4 +1,4 @@
-/// A form for a message type, with one input per field.
+/// A form for any message type, with one input per field.
 import type { DescEnum, DescField, DescMessage } from '@bufbuild/protobuf';
 import { h, iconButton, numberField } from '../app/dom.ts';
 import { scalarKind } from '../connection/fields.ts';
@@ -6,12 +6,12 @@ import type { Message } from '../connection/types.ts';
 
 interface FormField {
   element: HTMLElement;
-  /// @return The value entered; undefined if empty.
-  /// @throws Error with the field's name if the value does not fit its type.
+  /// @return The entered value; undefined if the input is empty.
+  /// @throws Error with the field's name if the text is not a value of its type.
   value(): unknown;
 }
 
-/// @return The form; `value` is the message's fields without empty ones.
+/// @return The form; `value` returns the fields that are not empty.
 export function messageForm(type: DescMessage): { element: HTMLElement; value(): Message } {
   const inputs = type.fields.map((field) => ({ field, input: fieldInput(field) }));
   const element = h('div', { class: 'form' }, ...inputs.map(({ input }) => input.element));
@@ -79,7 +79,7 @@ export function numberOf(field: Pick<DescField, 'name' | 'scalar'>, text: string
   return [3, 4, 6, 16, 18].includes(field.scalar!) ? BigInt(text) : value;
 }
 
-/// Types may be recursive: a nested message's form is created when it is opened.
+/// The form of a nested message is created when it is opened, because types may be recursive.
 function messageInput(name: string, type: DescMessage): FormField {
   let form: ReturnType<typeof messageForm> | null = null;
   const details = h('details', {}, h('summary', {}, name));

@@ -1,4 +1,4 @@
-/// Plots numbers of any topics over simulated time: drag to zoom, double click to show all; pause; CSV.
+/// Plots numbers of any topics over simulated time. Drag to zoom, double click to show all; with pause and CSV export.
 import uPlot from 'uplot';
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { download, h, labelled, numberField, setChoices } from '../app/dom.ts';
@@ -7,10 +7,10 @@ import type { Message } from '../connection/types.ts';
 import { addValue, csvOf, joined, type Curve } from './plot_data.ts';
 import { topicChooser } from './topics.ts';
 
-/// Colours that most people can distinguish, with enough contrast on dark and on light.
+/// Colours that most people can distinguish, with enough contrast on a dark and on a light background.
 const kColors = ['#2f8fd8', '#d9680a', '#1f9d6b', '#c2459c', '#8a7a00', '#7a63e0', '#d0392f', '#5f7380'];
 
-/// Simulated time of a message [s]: its header's stamp, else the time of sending.
+/// The simulated time of a message [s]: the stamp in its header, else the time at which the server sent it.
 export function timeOf(message: Message, sentNs: bigint): number {
   const stamp = (message.header?.stamp ?? message.simTime) as Message | undefined;
   if (stamp) return Number(stamp.sec) + Number(stamp.nsec) / 1e9;
@@ -81,7 +81,7 @@ export function openPlot(context: Context, settings: Settings): Panel {
   return { element, close: ends.end };
 }
 
-/// A topic, and a number in its messages.
+/// Lists to choose a topic, and a number in its messages.
 function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (topic: string, path: string) => void): HTMLElement {
   const { connection } = context;
   const path = h('select', { 'aria-label': 'Number', class: 'wide' });
@@ -90,7 +90,7 @@ function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (t
     stop();
     setChoices(path, []);
     if (!topic) return;
-    // the choices are the fields of the first message
+    // the list has the numeric fields of the topic's first message
     stop = connection.subscribe(topic, (message, _time, type) => {
       setChoices(path, numbersIn(connection.types.get(type), message).map((each) => each.path));
       stop();
@@ -101,7 +101,7 @@ function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (t
   return h('div', { class: 'row wrap' }, chooser, path, add);
 }
 
-/// The chart with the curves.
+/// The chart (uPlot), with all curves.
 class Chart {
   readonly element = h('div', { class: 'chart', role: 'img', 'aria-label': 'Values over time' });
   private plot: uPlot | null = null;
@@ -131,7 +131,7 @@ class Chart {
     this.plot.over.addEventListener('dblclick', () => (this.isZoomed = false));
   }
 
-  /// While the user has zoomed in, the visible range stays.
+  /// Shows the curves from time `since` on; the visible range stays while the user has zoomed in.
   show(curves: readonly Curve[], since: number): void {
     this.plot?.setData(joined(curves, this.isZoomed ? -Infinity : since) as uPlot.AlignedData, !this.isZoomed);
     if (this.isZoomed) this.plot?.redraw();

@@ -1,4 +1,4 @@
-/// Values over simulated time, for plots: limited in number and ordered by time.
+/// Values over simulated time, in ascending order and limited in number.
 
 export interface Curve {
   /// "/topic field.path"
@@ -10,7 +10,7 @@ export interface Curve {
 /// Maximum number of values per curve; beyond it the oldest half is dropped.
 export const kMostValues = 20_000;
 
-/// An earlier time than the last one restarts the curve: the world was reset.
+/// Appends a value. If the time is before the last one, the world was reset: the curve starts anew.
 export function addValue(curve: Curve, time: number, value: number): void {
   const last = curve.times.at(-1);
   if (last !== undefined && time < last) {
@@ -25,7 +25,7 @@ export function addValue(curve: Curve, time: number, value: number): void {
   }
 }
 
-/// All curves on a common list of times, from `since` on; null if a curve has no value at a time.
+/// The values of all curves at a common list of times, from `since` on; null where a curve has no value.
 export function joined(curves: readonly Curve[], since = -Infinity): [number[], ...(number | null)[][]] {
   const times = [...new Set(curves.flatMap((curve) => curve.times.filter((time) => time >= since)))].sort((a, b) => a - b);
   const columns = curves.map((curve) => {
@@ -35,7 +35,7 @@ export function joined(curves: readonly Curve[], since = -Infinity): [number[], 
   return [times, ...columns];
 }
 
-/// The same as CSV.
+/// The curves as CSV, with a common column of times.
 export function csvOf(curves: readonly Curve[]): string {
   const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const [times, ...columns] = joined(curves);

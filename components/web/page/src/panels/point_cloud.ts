@@ -1,4 +1,4 @@
-/// The points of a depth camera or lidar in the 3D view.
+/// Shows the points of a depth camera or lidar in the 3D view.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { topicChooser } from './topics.ts';

@@ -1,4 +1,4 @@
-/// Publishes a message entered in a form for its type, once or at a rate.
+/// Publishes a message, entered in a form for its type, once or at a rate.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField } from '../app/dom.ts';
 import { messageForm } from './message_form.ts';

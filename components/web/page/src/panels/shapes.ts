@@ -1,4 +1,4 @@
-/// Models with a single shape, and lights, as SDF and as messages for the preview.
+/// Models with a single shape, and lights: as SDF, and as messages for the preview.
 import type { Message } from '../connection/types.ts';
 
 export type Shape = 'box' | 'sphere' | 'cylinder' | 'capsule' | 'ellipsoid';
@@ -7,11 +7,11 @@ export type LightType = 'point' | 'spot' | 'directional';
 interface ShapeValues {
   geometry: string;
   message: Message;
-  /// Moments of inertia for 1 kg, xx yy zz [kg m^2].
+  /// Moments of inertia of 1 kg: xx, yy, zz [kg m^2].
   moments: [number, number, number];
 }
 
-/// Like Fortress's Shapes: one metre in size, 1 kg.
+/// The shapes of Fortress's Shapes plugin: 1 m in size, 1 kg.
 const kShapes: Record<Shape, ShapeValues> = {
   box: {
     geometry: '<box><size>1 1 1</size></box>', message: { type: 0, box: { size: { x: 1, y: 1, z: 1 } } },
@@ -54,7 +54,7 @@ export function shapeSdf(shape: Shape): string {
 </sdf>`;
 }
 
-/// An ignition.msgs.Model with the same appearance.
+/// The shape as an ignition.msgs.Model.
 export function shapeMessage(shape: Shape): Message {
   const color = { r: 0.7, g: 0.7, b: 0.7, a: 1 };
   const visual = { id: 1, name: 'visual', geometry: kShapes[shape].message, material: { ambient: color, diffuse: color } };

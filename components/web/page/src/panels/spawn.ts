@@ -1,17 +1,17 @@
-/// Inserts models: shapes, files, and models found by name or address.
+/// Inserts models: shapes, files, and models by name or address.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { kShapeNames, shapeMessage, shapeSdf, type Shape } from './shapes.ts';
 
-/// The kind of an SDF or URDF file: its first model, light or robot; null for other files.
+/// The name of the first model, light or robot in an SDF or URDF file; null for other files.
 export function sdfName(text: string): string | null {
   const found = /<(?:model|light|robot)\b[^>]*?\bname\s*=\s*["']([^"']+)["']/.exec(text);
   return found?.[1] ?? null;
 }
 
-/// Inserts the models of files, such as those dropped on the page.
+/// Inserts models from files, such as those dropped on the page.
 export async function spawnFiles(context: Context, files: Iterable<File>): Promise<void> {
-  // a list of files is emptied when its field or its event is done with
+  // a copy, because the browser empties the list when the event handler has returned
   for (const file of [...files]) {
     const text = await file.text();
     if (/<world\b/.test(text)) {
@@ -23,7 +23,7 @@ export async function spawnFiles(context: Context, files: Iterable<File>): Promi
       context.log.add('error', `Spawn: ${file.name} has no model, light or robot`);
       continue;
     }
-    // at the pose in the file
+    // null: at the pose in the file
     if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `Added ${name} from ${file.name}`);
   }
 }

@@ -1,4 +1,4 @@
-/// Drives a model with sliders and buttons: Twists on a topic, 10 per second unless all are 0.
+/// Drives a model by sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField, shortNumber } from '../app/dom.ts';
 

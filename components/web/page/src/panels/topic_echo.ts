@@ -1,4 +1,4 @@
-/// The messages of a topic as text.
+/// Shows the messages of a topic as text.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, numberField } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
@@ -6,13 +6,13 @@ import { topicChooser } from './topics.ts';
 
 const kLongest = 20_000;
 
-/// A message as JSON, truncated if it is too long.
+/// A message as indented JSON, with long values shortened, and truncated if it is still too long.
 export function echoText(json: unknown): string {
   const text = JSON.stringify(json, shortened, 2);
   return text.length > kLongest ? `${text.slice(0, kLongest)}\n… ${text.length - kLongest} more characters` : text;
 }
 
-/// Bytes are in base64 and not shown.
+/// A replacer for JSON.stringify, which shortens long text; bytes are base64 text by then.
 function shortened(_key: string, value: unknown): unknown {
   if (typeof value === 'string' && value.length > 400) return `${value.slice(0, 80)}… (${value.length} letters)`;
   if (Array.isArray(value) && value.length > 100) return [...value.slice(0, 100), `… ${value.length - 100} more`];
@@ -27,7 +27,7 @@ export function openTopicEcho(context: Context, settings: Settings): Panel {
   const isPaused = h('input', { type: 'checkbox', id: `echo-paused-${Math.random().toString(36).slice(2)}` });
   const most = numberField(10, { min: 1, max: 100, step: 1, 'aria-label': 'Messages to keep', class: 'short' });
   const output = h('pre', { class: 'echo', tabindex: 0, role: 'region', 'aria-label': 'Messages of the topic' });
-  // messages may arrive faster than frames: they are written in the next one
+  // written once per animation frame, because messages may arrive faster
   let isScheduled = false;
   const write = (): void => {
     if (isScheduled) return;

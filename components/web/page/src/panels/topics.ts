@@ -1,8 +1,8 @@
-/// Selecting a topic of certain types.
+/// A list to select a topic of certain types.
 import type { Context, Ends } from '../app/context.ts';
 import { h, setChoices } from '../app/dom.ts';
 
-/// The server's topics with one of the types; all topics if no type is given.
+/// The server's topics with one of these types; all topics if no types are given.
 export function topicsOf(context: Context, types: readonly string[]): string[] {
   return [...context.connection.channels.values()]
     .filter(({ encoding, schemaName }) => encoding === 'protobuf' && (types.length === 0 || types.includes(schemaName)))
@@ -10,8 +10,8 @@ export function topicsOf(context: Context, types: readonly string[]): string[] {
     .sort();
 }
 
-/// A list of them that follows changes.
-/// @param chosen Called with the selected topic, initially the wanted one; '' is none.
+/// A list of these topics that is updated when topics are advertised or end.
+/// @param chosen Called with the selected topic, '' for none. `wanted` is selected as soon as it exists.
 export function topicChooser(
   context: Context, types: readonly string[], wanted: string | undefined, ends: Ends, chosen: (topic: string) => void,
 ): HTMLSelectElement {
@@ -35,7 +35,7 @@ export function topicChooser(
     update();
   });
   ends.add(context.connection.channelsChanged.on(update));
-  // when the panel has been built
+  // after the caller has finished the panel, because it calls `chosen`
   queueMicrotask(update);
   return select;
 }

@@ -1,4 +1,4 @@
-/// Pose of the selected model, changed with handles or numbers.
+/// Shows the pose of the selected model, which can be changed by handles or numbers.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField } from '../app/dom.ts';
 import { rollPitchYawOf, sixfoldOf, type Sixfold } from '../connection/poses.ts';
@@ -11,7 +11,7 @@ export function openTransform(context: Context): Panel {
   const ends = new Ends();
   const fields = kAxes.map((name) => numberField(0, { 'aria-label': name, step: 0.1 }));
   const name = h('strong', {}, '–');
-  // typed numbers stay until they are applied, or another entity is selected
+  // entered numbers are kept until they are applied or another entity is selected
   let isEdited = false;
   fields.forEach((field) => field.addEventListener('input', () => (isEdited = true)));
   const tools = (['select', 'move', 'turn'] as Tool[]).map((tool) => h('button', {

@@ -1,9 +1,9 @@
-/// Play, pause, step, reset, seed and speed.
+/// Runs, pauses, steps and resets the world; sets its seed and speed.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, iconButton, labelled, numberField } from '../app/dom.ts';
 import { icon } from '../app/icons.ts';
 
-// No world can keep up with this speed.
+// Real-time factor for "as fast as possible": more than any world reaches.
 const kAsFastAsPossible = 1e6;
 
 export function openWorldControl(context: Context): Panel {
@@ -26,7 +26,7 @@ export function openWorldControl(context: Context): Panel {
   const speed = numberField(1, { min: 0, step: 0.1, title: 'Real-time factor to keep; 0: as fast as possible', class: 'short' });
   speed.addEventListener('change', () => {
     if (!(speed.valueAsNumber >= 0)) return;
-    // for the service, 0 means that the speed is unchanged
+    // the service takes 0 as "unchanged"
     const factor = speed.valueAsNumber || kAsFastAsPossible;
     void context.attempt('Speed', world.ask('set_physics', { maxStepSize: stepSize, realTimeFactor: factor }));
   });

@@ -1,11 +1,11 @@
-/// Simulated time, real time, iterations, and a curve of the real-time factor.
+/// Shows simulated time, real time, iterations, and a curve of the real-time factor.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
 
 const kKept = 300;
 
-/// "0 00:01:02.345" of an ignition.msgs.Time: days, hours, minutes, seconds.
+/// An ignition.msgs.Time as days, hours, minutes and seconds: "0 00:01:02.345".
 export function timeText(time: Message | undefined): string {
   const total = Number(time?.sec ?? 0);
   const two = (value: number): string => String(Math.floor(value)).padStart(2, '0');
@@ -13,7 +13,7 @@ export function timeText(time: Message | undefined): string {
   return `${Math.floor(total / 86400)} ${two((total / 3600) % 24)}:${two((total / 60) % 60)}:${two(total % 60)}.${ms}`;
 }
 
-/// A curve of the latest values, up to 1.25 times the largest.
+/// Draws a curve of the latest values; the vertical range is 1.25 times the largest one.
 function drawFactors(canvas: HTMLCanvasElement, factors: number[]): void {
   const context = canvas.getContext('2d');
   if (!context) return;

@@ -1,4 +1,4 @@
-/// The 3D view, as used by the page. It is independent of the connection: the page passes in scenes, poses and files.
+/// The interface of the 3D view. It is independent of the connection: the page passes in scenes, poses and files.
 export type { Direction } from './camera/eye.ts';
 export type { Pose } from './maths/placement.ts';
 export type { Message } from './messages.ts';

@@ -1,4 +1,5 @@
-/// The fields of messages that the view reads. Each may be missing: the decoder leaves out unset fields, or returns 0.
+/// The message fields that the view reads. Any of them may be missing: the decoder omits unset messages, and returns 0
+/// for unset numbers.
 
 /// A message as decoded by the connection (@bufbuild/protobuf, by reflection): fields in camelCase, 64-bit numbers as
 /// bigint, enums as numbers, bytes as Uint8Array, repeated fields as arrays; unset messages are undefined.
@@ -148,11 +149,11 @@ export interface JointMessage {
   id?: number;
   name?: string;
   type?: number;
-  /// Names of links in the model that contains the joint.
+  /// Names of the links, in the model that contains the joint.
   parent?: string;
   child?: string;
   childId?: number;
-  /// In the frame of the child link.
+  /// Pose in the frame of the child link.
   pose?: PoseMessage;
   axis1?: AxisMessage;
   axis2?: AxisMessage;
@@ -164,7 +165,7 @@ export interface ModelMessage {
   isStatic?: boolean;
   pose?: PoseMessage;
   link?: LinkMessage[];
-  /// Of a model without links, such as an actor.
+  /// Visuals of a model without links, such as an actor.
   visual?: VisualMessage[];
   joint?: JointMessage[];
   model?: ModelMessage[];

@@ -23,28 +23,28 @@ import { Handles, type Tool } from './tools/handles.ts';
 import { Recorder } from './tools/recorder.ts';
 
 export interface ViewOptions {
-  /// Returns the bytes of a file that the scene names (mesh, texture, material) by its address.
+  /// Returns the bytes of a file (mesh, texture, material) by its address in the scene.
   asset(address: string): Promise<ArrayBuffer>;
   /// The user has selected the entity, or nothing (null).
   onPick?(entity: number | null): void;
-  /// The user has dragged the model to a pose; during: it is still being dragged. At the end, the result may be a
-  /// promise: the model is shown there until the promise settles and its new pose arrives, or moves back at once if it
-  /// rejects.
+  /// The user has dragged the model to a pose; during: the drag continues. At its end the result may be a promise. The
+  /// model is shown at the pose until the promise has resolved and a new pose has arrived; it moves back at once if the
+  /// promise rejects.
   onMove?(entity: number, pose: Pose, during: boolean): void | Promise<unknown>;
-  /// The user has chosen a place for showGhost's model (null: cancelled).
+  /// The user has chosen a pose for the model of `showGhost`; null: cancelled.
   onPlace?(pose: Pose | null): void;
   /// Something can't be shown; the text is for the user.
   onProblem?(text: string): void;
 }
 
-// time after the last change [ms]
+// time without a change after which the view is rendered in full resolution [ms]
 const restTime = 300;
 
-/// The 3D view. It draws only when something has changed.
+/// The 3D view. It renders only after changes.
 export class View {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
-  // in a wide scene, shadows are drawn around the target of the viewpoint
+  // calls sceneChanged, because in a large scene the region with shadows follows the target of the viewpoint
   private readonly eye = new Eye(() => this.sceneChanged());
   private readonly shown = new Shown();
   private readonly stage: Stage;
@@ -82,10 +82,10 @@ export class View {
     }
   }
 
-  /// The canvas of that test, reused for the next view, because creating a context takes a while.
+  /// The canvas of that test, reused by the next view, because creating a WebGL context takes a while.
   private static tried: HTMLCanvasElement | undefined;
 
-  /// @throws If this browser does not support 3D graphics.
+  /// @throws Error if this browser does not support WebGL 2.
   constructor(
     parent: HTMLElement,
     private readonly options: ViewOptions,
@@ -154,7 +154,7 @@ export class View {
     this.invalidate();
   }
 
-  /// Renders with that fraction of the width and height; the browser scales the image.
+  /// Sets the resolution to this fraction of the full width and height; the browser scales the image up.
   private setScale(scale: number): void {
     const ratio = Math.min(window.devicePixelRatio, 2) * scale;
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
@@ -169,11 +169,11 @@ export class View {
     this.invalidate();
   }
 
-  /// Schedules a frame.
+  /// Schedules a frame, if none is scheduled.
   private invalidate(): void {
     this.nextFrame ??= requestAnimationFrame((now) => {
       this.nextFrame = null;
-      // the size of a video is fixed
+      // the resolution must not change within a video
       const scale = this.recorder ? 1 : this.pace.next(now);
       this.setScale(scale);
       this.draw();
@@ -183,7 +183,7 @@ export class View {
     });
   }
 
-  /// Renders a view at rest in full resolution.
+  /// Renders in full resolution, when nothing moves any more.
   private drawWhole(): void {
     this.setScale(1);
     this.draw();
@@ -214,14 +214,15 @@ export class View {
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  /// A complete ignition.msgs.Scene; unchanged parts keep their poses and are not loaded again.
+  /// Sets a complete ignition.msgs.Scene. Entities that it still contains keep their poses, and their files are not
+  /// loaded again.
   setScene(scene: Message): void {
     const message = scene as SceneMessage;
     this.stage.setScene(message);
     this.sceneShadows = message.shadows ?? true;
     this.setShadows(this.wantsShadows);
     this.grid.visible = this.wantsGrid ?? message.grid ?? true;
-    // otherwise nobody could remove those of removed topics
+    // trails of removed entities end, because the page can't end them any more
     for (const id of [...this.trails.keys()]) if (!this.stage.content.places.has(id)) this.setTrail(id, false);
     this.marked.rebuild();
     this.sceneChanged();
@@ -243,7 +244,7 @@ export class View {
     this.invalidate();
   }
 
-  /// The entity moved by the handles: a model or a light of the world.
+  /// The entity that the handles move: the selected model or light of the world.
   private get movable(): number | null {
     const place = this.stage.content.places.get(this.selected ?? 0);
     return place !== undefined && place.parent === 0 ? place.id : null;
@@ -279,7 +280,7 @@ export class View {
     this.eye.lookFrom(direction);
   }
 
-  /// The viewpoint: looks along x, z is up.
+  /// Sets the viewpoint, a pose whose x axis is the line of sight, with z up.
   setCamera(pose: Pose): void {
     this.eye.placement = placementOfPose(pose);
   }
@@ -288,7 +289,7 @@ export class View {
     return poseOf(this.eye.placement);
   }
 
-  /// Of one entity with its parts, or of all.
+  /// Shows or hides an overlay for one entity with its parts, or for all.
   setOverlay(overlay: Overlay, on: boolean, entity?: number): void {
     this.shown.set(overlay, on, entity);
     if (overlay === 'wireframe' || overlay === 'transparent') this.stage.restyle();
@@ -319,21 +320,21 @@ export class View {
     this.invalidate();
   }
 
-  /// Shows an ignition.msgs.LaserScan (null: removes it) under a key, such as its topic. Without an entity (a link or
-  /// sensor) it is in the frame that it names.
+  /// Shows an ignition.msgs.LaserScan under a key, such as its topic; null removes it. It is in the frame of the entity
+  /// (a link or sensor), or without one in the frame that the message names.
   setLidar(key: string, scan: Message | null, entity?: number): void {
     this.scans.set(key, scan, entity);
     this.invalidate();
   }
 
-  /// Shows an ignition.msgs.PointCloudPacked, in the frame of the entity (a link or sensor), or in the one that it
-  /// names.
+  /// Shows an ignition.msgs.PointCloudPacked under a key; null removes it. It is in the frame of the entity (a link or
+  /// sensor), or without one in the frame that the message names.
   setPointCloud(key: string, cloud: Message | null, entity?: number): void {
     this.clouds.set(key, cloud, entity);
     this.invalidate();
   }
 
-  /// Shows an ignition.msgs.Contacts.
+  /// Shows an ignition.msgs.Contacts under a key; null removes it.
   setContacts(key: string, contacts: Message | null): void {
     let shape = this.contacts.get(key);
     if (contacts === null) {
@@ -368,7 +369,7 @@ export class View {
     this.invalidate();
   }
 
-  /// Shows a model or a light at the pointer until a click chooses its place; null ends it.
+  /// Shows a model or light at the pointer until the user clicks to choose its pose; null ends it.
   showGhost(model: Message | null): void {
     if (this.ghost) this.stage.root.remove(this.ghost.object);
     this.ghost?.dispose();
@@ -378,7 +379,7 @@ export class View {
     this.invalidate();
   }
 
-  /// Rotates around what is at the pointer.
+  /// Sets the centre of rotation to the point under the pointer.
   private turnAround(x: number, y: number): void {
     const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
     if (met && met.hit.distance < 200) this.eye.turnAround(met.hit.distance);
@@ -420,12 +421,12 @@ export class View {
     this.options.onPlace?.(null);
   }
 
-  /// Number of draw calls of the last frame, including shadows.
+  /// Number of draw calls in the last frame, including those for shadows.
   get drawCalls(): number {
     return this.renderer.info.render.calls;
   }
 
-  /// A PNG file of the view.
+  /// The view as a PNG file.
   screenshot(): Promise<Blob> {
     this.drawWhole();
     return new Promise((resolve, reject) => {
@@ -433,13 +434,13 @@ export class View {
     });
   }
 
-  /// @throws If this browser cannot record video.
+  /// @throws Error if this browser can't record video.
   startVideo(): void {
     this.recorder ??= new Recorder(this.canvas);
     this.invalidate();
   }
 
-  /// A WebM file.
+  /// Ends the recording, and returns it as a WebM file.
   async stopVideo(): Promise<Blob> {
     const { recorder } = this;
     if (recorder === null) throw new Error('no video is being recorded');

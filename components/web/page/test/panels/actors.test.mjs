@@ -1,4 +1,4 @@
-// An actor is seen where its script has brought it.
+// An actor is shown at the position on its trajectory.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { choose, openPage, panel, shownPose, until } from './page.mjs';
@@ -20,7 +20,7 @@ test('it goes along its trajectory', async () => {
 
 test('it is picked in the view where it is now', async () => {
   const { tab } = page;
-  // on a busy machine it would have gone on when the click comes
+  // paused, because otherwise the actor could have moved on by the time of the click
   await tab.locator('body').press('Space');
   await tab.getByRole('button', { name: 'Play' }).waitFor();
   const canvas = await tab.locator('#view canvas').first().boundingBox();

@@ -1,4 +1,4 @@
-// Play, pause, step, reset: by the buttons of the page.
+// Play, pause, step and reset by the page's buttons.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { openPage, panel, pongsim, repository, until } from './page.mjs';
@@ -53,7 +53,7 @@ test('the speed is the real-time factor that the world keeps', async () => {
   await page.tab.getByLabel('Speed').press('Enter');
   await page.tab.getByRole('button', { name: 'Play' }).click();
   await until(factor, (value) => Math.abs(value - 0.25) < 0.03, 'a quarter');
-  // as fast as possible
+  // 0: as fast as possible
   await page.tab.getByLabel('Speed').fill('0');
   await page.tab.getByLabel('Speed').press('Enter');
   await until(factor, (value) => value > 0.4, 'more than a quarter');

@@ -1,4 +1,4 @@
-// The tutorial of the moving robot, by mouse and keyboard: open the Key publisher, play, drive with the arrows.
+// The moving robot tutorial by mouse and keyboard: open the Key publisher, play, drive by the arrow keys.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { choose, openPage, openPanel, panel, repository, shownPose, until } from './page.mjs';
@@ -20,7 +20,7 @@ test('the robot drives with the arrows', async () => {
   const before = (await shownPose(tab))[5];
   await tab.locator('body').press('ArrowLeft');
   await until(() => shownPose(tab), (pose) => Math.abs(pose[5] - before) > 0.2, 'it turns');
-  // the space bar stops the robot, and not the world
+  // while the Key publisher is on, the space bar stops the robot instead of pausing the world
   await tab.locator('body').press('Space');
   await tab.getByRole('button', { name: 'Pause' }).waitFor();
   assert.equal(await tab.locator('.last-key').textContent(), '  (32)');

@@ -1,4 +1,4 @@
-// The page for everybody: keyboards, screen readers, narrow screens, no WebGL, a server that goes away.
+// Accessibility and robustness: keyboard, screen reader, narrow screen, no WebGL, a server that ends.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -11,9 +11,9 @@ const panels = [
   'Transform control', 'Apply force torque', 'Spawn', 'Lights', 'View', 'Messages',
 ];
 
-/// What axe finds wrong, in short.
+/// The accessibility violations that axe finds, shortened.
 async function faults(tab) {
-  // by the debugger, for the page's own rules let no other script in
+  // by the debugging protocol, because the page's content security policy allows no further scripts
   await tab.evaluate(axe);
   const { violations } = await tab.evaluate(() => window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'] }));
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join('\n  ')}`);

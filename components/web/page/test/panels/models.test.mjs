@@ -1,4 +1,4 @@
-// Models in the page: chosen, moved, dragged, removed, added, copied.
+// Models in the page: selected, moved, dragged, removed, inserted, copied.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { choose, openPage, openPanel, panel, pongsim, repository, shownPose, until } from './page.mjs';
@@ -93,7 +93,7 @@ test('a light goes off and on, and is dimmed', async () => {
   await until(sun, (light) => light.intensity === 0.5 && isOff(light), 'dimmed, and still off');
   await box.press('Space');
   await until(sun, (light) => !isOff(light) && light.intensity === 0.5, 'on again');
-  // by keys, for the box is still the same after the world was read again
+  // by the keyboard: the checkbox has kept the focus, although the world was read again
   await page.tab.keyboard.press('Space');
   await until(sun, isOff, 'off again');
 });

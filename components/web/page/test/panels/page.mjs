@@ -1,4 +1,4 @@
-// A pongsim with the page in a browser, for tests.
+// Runs pongsim, and its page in a browser, for tests.
 import { chromium } from 'playwright-core';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
@@ -7,15 +7,15 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-// node sees this file through a link in the build tree
+// node sees this file by a link in the build tree, so the link is resolved
 export const repository = fileURLToPath(new URL('../../../../../', pathToFileURL(realpathSync(fileURLToPath(import.meta.url)))));
 const program = process.env.PONGSIM;
 
-/// Longer than anything takes on a busy machine.
+/// Time limit for anything to happen, even on a busy machine [ms].
 export const patience = 60_000;
 
 /// Runs a world with the page.
-/// @return Its address, and how to end it.
+/// @return Its address, and a function that ends it.
 async function run(world, options) {
   const home = mkdtempSync(join(tmpdir(), 'pongsim-page-'));
   const child = spawn(program, ['run', world, '--web', '0', ...options], {
@@ -44,9 +44,9 @@ async function run(world, options) {
   return { address, end };
 }
 
-/// Opens the page of a world and waits until the world is there.
-/// @param options More of `pongsim run`.
-/// @param flags More of the browser's.
+/// Opens the page of a world, and waits until it shows the world.
+/// @param options Further options of `pongsim run`.
+/// @param flags Further options of the browser.
 export async function openPage(world, { options = ['--paused'], flags = [], viewport = { width: 1280, height: 800 } } = {}) {
   const simulator = await run(world, options);
   const browser = await chromium.launch({
@@ -71,7 +71,7 @@ export async function openPage(world, { options = ['--paused'], flags = [], view
   return { tab, errors, close, endServer: simulator.end };
 }
 
-/// Opens one more panel.
+/// Opens a further panel from the menu.
 export async function openPanel(tab, title) {
   await tab.locator('summary', { hasText: 'Panels' }).click();
   await tab.locator('.menu .items button', { hasText: new RegExp(`^${title}$`) }).click();
@@ -82,20 +82,20 @@ export function panel(tab, title) {
   return tab.locator('section.panel', { has: tab.locator('h2', { hasText: new RegExp(`^${title}$`) }) });
 }
 
-/// Chooses an entity by its name in the tree.
+/// Selects an entity by its name in the tree.
 export async function choose(tab, name) {
   const tree = panel(tab, 'Entity tree');
   await tree.getByRole('treeitem', { name: new RegExp(`^${name} \\w+$`) }).locator('> .row .name').click();
 }
 
-/// Position [m] and angles [rad] that the inspector shows of what is chosen.
+/// The position [m] and angles [rad] of the selected entity in the inspector.
 export async function shownPose(tab) {
   const text = await tab.locator('#inspector-pose').textContent();
   return text.replace('in the world', '').trim().split(/\s+/).map(Number);
 }
 
-/// Waits until the condition holds of what `look` finds.
-/// @return What was found.
+/// Waits until `holds` is true for the result of `look`.
+/// @return That result.
 export async function until(look, holds, what) {
   const end = Date.now() + patience;
   for (;;) {
@@ -106,8 +106,8 @@ export async function until(look, holds, what) {
   }
 }
 
-/// Runs pongsim once.
-/// @return What it has printed.
+/// Runs pongsim until it ends.
+/// @return Its standard output.
 export function pongsim(...words) {
   const { stdout, stderr, status } = spawnSync(program, words, { encoding: 'utf8', timeout: patience });
   if (status !== 0) throw new Error(`pongsim ${words.join(' ')}: ${stderr}`);

@@ -1,4 +1,4 @@
-// A model is picked in the view, and dragged by its handles.
+// A model is selected by a click in the view, and dragged by its handles.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { choose, openPage, openPanel, panel, shownPose, until } from './page.mjs';
@@ -23,7 +23,7 @@ test('a click in the view chooses what is there', async () => {
   await tab.locator('body').press('f');
   await choose(tab, 'eye');
   const { x, y } = await middle();
-  // what is looked at comes into the middle when it is drawn
+  // repeated, because the ball is in the middle only after the next frame has been drawn
   await until(async () => {
     await tab.mouse.click(x, y);
     return ball().getAttribute('aria-selected');

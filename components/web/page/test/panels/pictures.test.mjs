@@ -1,5 +1,5 @@
-// The pictures of docs/web.md and of the README, taken of what they show. They are written to the folder PONGSIM_PICTURES;
-// without it they are taken all the same.
+// Takes the screenshots for docs/web.md and the README, and writes them to the folder PONGSIM_PICTURES. Without it, the
+// screenshots are taken, but not written.
 import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ function keep(name, picture) {
   writeFileSync(join(folder, name), picture);
 }
 
-/// @return The PNG files as WebP, which is a tenth of the size.
+/// @return The PNG files as WebP, which has a tenth of the size.
 async function asWebp(tab, pictures) {
   const other = await tab.context().newPage();
   const texts = await other.evaluate(async (files) => {
@@ -103,7 +103,7 @@ test('what sensors see, and a plot', async () => {
     await field.press('Enter');
     await until(() => tab.locator('#stats-sim').textContent(), (text) => text > '0 00:00:03', 'three seconds');
     await tab.getByRole('button', { name: 'Pause' }).click();
-    // a view that nothing has been drawn into is of one colour
+    // waits until the view has been drawn: an image of one colour would be smaller
     await until(() => tab.locator('.stage').screenshot(calm), (picture) => picture.length > 12_000, 'the view is drawn');
     keep('web-panels.png', await tab.screenshot(calm));
     assert.deepEqual(page.errors, []);

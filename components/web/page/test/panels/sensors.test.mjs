@@ -1,4 +1,4 @@
-// What sensors see, in the panels that the world asks for; plots against what is published.
+// Messages of sensors in the panels of a world's `<gui>`; plots compared with what is published.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -24,13 +24,13 @@ test('the panels that the world asks for are open, where it says', async () => {
 test("the image panel has the camera's pixels", async () => {
   const front = panel(page.tab, 'Front camera');
   await front.getByText('64 × 48').waitFor();
-  // nothing that it sees moves: each picture is the same
+  // the camera's scene is static, so all images are equal
   const image = JSON.parse(pongsim('topic', '-e', '-t', '/camera', '-n', '1', '--json'));
   const pixels = Buffer.from(image.data, 'base64');
   assert.equal(pixels.length, 64 * 48 * 3);
   const shown = await front.locator('canvas').evaluate((canvas) => [...canvas.getContext('2d').getImageData(0, 0, 64, 48).data]);
   assert.deepEqual(shown.filter((_, i) => i % 4 < 3), [...pixels]);
-  // the ball is red, in the middle
+  // the pixel in the middle shows the red ball
   const [red, green] = shown.slice(4 * (24 * 64 + 32));
   assert.ok(red > 2 * green, `red ${red}, green ${green}`);
 });

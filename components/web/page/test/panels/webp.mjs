@@ -1,4 +1,4 @@
-// A moving WebP of several pictures (https://developers.google.com/speed/webp/docs/riff_container).
+// Writes an animated WebP file (https://developers.google.com/speed/webp/docs/riff_container).
 
 function chunk(name, ...parts) {
   const data = Buffer.concat(parts);
@@ -14,7 +14,7 @@ function number(value, bytes) {
   return buffer;
 }
 
-/// @return The chunks of a WebP file, by their names.
+/// @return The chunks of a WebP file, as objects with the name and the whole chunk.
 export function chunksOf(file) {
   const chunks = [];
   for (let at = 12; at < file.length;) {
@@ -26,12 +26,12 @@ export function chunksOf(file) {
 }
 
 /// @param pictures WebP files of that size [pixels], lossy and without transparency.
-/// @param ms How long each is shown; the animation repeats forever.
+/// @param ms Duration of each image; the animation repeats forever.
 export function movingWebp(pictures, { width, height }, ms) {
   const size = Buffer.concat([number(width - 1, 3), number(height - 1, 3)]);
   const frames = pictures.map((picture) => {
     const pixels = chunksOf(picture).find(({ name }) => name === 'VP8 ').whole;
-    // at the top left corner, in place of what was there
+    // offset (0, 0), no blending
     return chunk('ANMF', number(0, 6), size, number(ms, 3), number(2, 1), pixels);
   });
   const animated = number(2, 4);

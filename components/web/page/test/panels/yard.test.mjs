@@ -1,4 +1,4 @@
-// Panels whose effect is in the server: wrenches, lights, files and addresses of models, the seed, rates, joints.
+// Panels that change the world: wrenches, lights, models from files and addresses, seed, update rates, joints.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { choose, openPage, openPanel, panel, pongsim, shownPose, until } from './page.mjs';
@@ -30,7 +30,7 @@ test('a force lasts until it is ended', async () => {
   await choose(tab, 'block');
   await force.getByLabel('y [N]', { exact: true }).fill('-20');
   await force.getByRole('button', { name: 'From now on' }).click();
-  // the service answers when the message that was sent before it has been taken
+  // messages and requests are handled in order: when `step` returns, the world has received the wrench
   await until(async () => {
     await step(100);
     return shownPose(tab);
@@ -41,7 +41,7 @@ test('a force lasts until it is ended', async () => {
     await step(20);
     return from - (await shownPose(tab))[1];
   };
-  // without a force and without friction it slides on at the same speed
+  // without force and friction the velocity is constant
   await until(async () => [await speed(), await speed()], ([first, second]) => Math.abs(second - first) < 2e-4, 'it is no longer pushed');
   await reset();
 });
@@ -158,7 +158,7 @@ test('a topic is echoed as many times as asked for, and not while paused', async
   await echo.getByLabel('Messages to keep').fill('3');
   await step(100);
   await until(count, (kept) => kept === 3, 'three');
-  // fewer at once, though nothing more comes
+  // a smaller limit takes effect at once, without a further message
   await echo.getByLabel('Messages to keep').fill('2');
   await until(count, (kept) => kept === 2, 'two');
   await echo.getByLabel('Paused').check();

@@ -1,4 +1,4 @@
-// The view in a browser, by itself: a page with it and the files of the tests, under the rules of the real page.
+// Runs the view alone in a browser: serves a page with it and the tests' files, with the real page's security headers.
 import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { existsSync, readFileSync } from 'node:fs';
@@ -11,7 +11,7 @@ const page = '<!doctype html><title>view</title><link rel="icon" href="icon.svg"
   + '<div id="view"></div><script type="module" src="harness.js"></script>';
 const style = 'html, body { margin: 0; height: 100% } #view { width: 100%; height: 100% }';
 
-/// The browser of the machine; nothing: there is none.
+/// The path of the machine's browser; undefined if there is none.
 export function browserPath() {
   const places = ['chromium', 'chromium-browser', 'google-chrome'].map((name) => `/usr/bin/${name}`);
   return [process.env.PONGSIM_CHROMIUM, ...places].find((path) => path && existsSync(path));
@@ -48,8 +48,8 @@ function file(url) {
   return ['application/octet-stream', existsSync(path) ? readFileSync(path) : null];
 }
 
-/// Opens the view. Errors of the page are kept in `errors`.
-/// @param flags More of the browser's.
+/// Opens the view. Errors of the page are collected in `errors`.
+/// @param flags Further options of the browser.
 export async function openView(flags = []) {
   const server = await serve();
   const browser = await chromium.launch({

@@ -1,4 +1,4 @@
-// The page of the view's tests: the view alone, which the tests speak to as `view`.
+// The page for tests of the view alone, which tests use as `window.view`.
 import { View } from '../../src/view/index.ts';
 
 const events: unknown[] = [];
@@ -14,7 +14,7 @@ const view = new View(document.getElementById('view')!, {
   onProblem: (text) => events.push({ problem: text }),
 });
 
-/// Waits until what was asked for is drawn.
+/// Waits until a scheduled frame has been drawn.
 function drawn(): Promise<void> {
   return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve())));
 }
@@ -26,7 +26,8 @@ async function pixelsOf(picture: Blob): Promise<ImageData> {
   return context.getImageData(0, 0, bitmap.width, bitmap.height);
 }
 
-/// The mean difference of two pictures, of 255, and the share of pixels that differ by more than 24.
+/// Compares a screenshot with an image: the mean difference, of 255, and the fraction of pixels that differ by more
+/// than 24.
 async function difference(other: string): Promise<{ mean: number; share: number }> {
   const a = await pixelsOf(await view.screenshot());
   const b = await pixelsOf(await (await fetch(other)).blob());
@@ -42,7 +43,7 @@ async function difference(other: string): Promise<{ mean: number; share: number 
   return { mean: sum / (a.data.length / 4), share: count / (a.data.length / 4) };
 }
 
-/// The colour in the middle of a screenshot, or at shares of its size.
+/// The colour of a pixel in a screenshot; x and y are fractions of its size.
 async function colorAt(x = 0.5, y = 0.5): Promise<number[]> {
   const { data, width, height } = await pixelsOf(await view.screenshot());
   const at = 4 * (Math.floor(y * height) * width + Math.floor(x * width));

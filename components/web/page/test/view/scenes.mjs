@@ -1,4 +1,4 @@
-// Scenes for the view, as messages.
+// Scenes for tests of the view, as ignition.msgs.Scene.
 
 export const white = { r: 1, g: 1, b: 1, a: 1 };
 export const type = {
@@ -14,7 +14,7 @@ export function box(x, y, z) {
   return { type: type.box, box: { size: { x, y, z } } };
 }
 
-/// A model of one link, with the ids id, id + 1, ...
+/// A model with one link; its parts have the ids id, id + 1, ...
 export function model(id, [x, y, z], geometry, material, more = {}) {
   return {
     id,
@@ -46,12 +46,12 @@ export function scene(models, more = {}) {
   };
 }
 
-/// The eye at a place on the x axis, looking along x.
+/// The pose of a camera that looks along x.
 export function eyeAt(x, y = 0, z = 0) {
   return { position: [x, y, z], orientation: [0, 0, 0, 1] };
 }
 
-/// One of everything.
+/// A scene with an example of each shape, material and light.
 export function everything() {
   const shapes = [
     model(10, [0, 3, 0.5], box(1, 1, 1), paint(0.9, 0.1, 0.1)),
@@ -80,7 +80,7 @@ export function everything() {
   return scene([ground, ...shapes], { sky: { time: 12, sunrise: 6, sunset: 20 }, light: [sun, lamp] });
 }
 
-/// A robot with a joint and a lidar.
+/// A model with a joint and a lidar.
 export function robot() {
   const inertial = { mass: 4, ixx: 0.1, iyy: 0.2, izz: 0.25, pose: { position: { z: 0.1 }, orientation: { w: 1 } } };
   const base = model(10, [0, 0, 0.3], box(1, 0.8, 0.3), paint(0.8, 0.8, 0.8), {

@@ -1,4 +1,4 @@
-// The view in a real browser: pictures, picking, handles, files.
+// The view in a browser: images, picking, handles, files.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { after, before, beforeEach, describe, test } from 'node:test';
@@ -6,7 +6,7 @@ import { after, before, beforeEach, describe, test } from 'node:test';
 import { browserPath, openView } from './browser.mjs';
 import * as scenes from './scenes.mjs';
 
-// how much a picture may differ from the golden one: drivers and their versions round in their own ways
+// largest allowed differences from the golden images: graphics drivers round differently
 const meanLimit = 2;
 const shareLimit = 0.01;
 
@@ -36,7 +36,7 @@ describe('the view', { skip: without }, () => {
     });
   });
 
-  /// Shows a scene from a place and waits until it is drawn.
+  /// Shows a scene from a viewpoint, and waits until it has been drawn.
   async function show(scene, eye) {
     await tab.evaluate(async ([message, pose]) => {
       window.view.setScene(message);
@@ -51,7 +51,7 @@ describe('the view', { skip: without }, () => {
     timeNs: 0n, revision: 0, ids: new Uint32Array(i), poses: new Float32Array(p),
   }), [ids, poses]);
 
-  /// Waits until a pixel is of that kind.
+  /// Waits until the colour of a pixel fulfils a condition.
   async function waitForColor(isWanted, x = 0.5, y = 0.5) {
     let color;
     for (let i = 0; i < 200; ++i) {
@@ -82,7 +82,7 @@ describe('the view', { skip: without }, () => {
 
   test('everything that cameras see is as in the golden picture', async () => {
     await show(scenes.everything(), { position: [-6, 0, 4], orientation: [0, 0.2474, 0, 0.9689] });
-    // the files are there when the textured square and the hills are
+    // the textured square and the hills appear when their files have been loaded
     await waitForColor(isBlue, 0.72, 0.3);
     await waitForColor(([, g, b]) => g > b + 5, 0.45, 0.25);
     await compare('everything');
@@ -209,7 +209,7 @@ describe('the view', { skip: without }, () => {
       window.view.setTool('move');
       await window.drawn();
     });
-    // the arrow along y goes to the left
+    // seen along x, the arrow along y points to the left
     await tab.mouse.move(135, 120);
     await tab.evaluate(() => window.drawn());
     await tab.mouse.down();
@@ -263,7 +263,7 @@ describe('the view', { skip: without }, () => {
   });
 
   test('shadows are there and can be switched off', async () => {
-    // light comes from the left, and the eye sees the ground to the right of the box
+    // the light shines towards -y, so the shadow is to the right of the box in the view from above
     const light = { ...scenes.sun, direction: { y: -1, z: -1 } };
     const above = { position: [0, -1, 6], orientation: [0, Math.SQRT1_2, 0, Math.SQRT1_2] };
     const models = [scenes.ground, scenes.model(10, [0, 0, 0.5], scenes.box(1, 1, 1), scenes.paint(0.9, 0.05, 0.05))];
@@ -300,7 +300,7 @@ describe('the view', { skip: without }, () => {
       sensor: [{ id: 16, name: 'eye', pose: { position: { y: 0.5 }, orientation: { w: 1 } } }],
     })]), scenes.eyeAt(-4));
     await tab.evaluate(() => {
-      // a wall of points, 1 m wide, in blue
+      // a wall of blue points, 1 m wide
       const points = Array.from({ length: 10_000 }, (_, i) => [0, (i % 100) / 100 - 0.5, Math.floor(i / 100) / 100 - 0.5]);
       const data = new DataView(new ArrayBuffer(points.length * 16));
       points.forEach((point, i) => {
@@ -358,7 +358,7 @@ describe('the view', { skip: without }, () => {
     const isGone = (color) => color.every((value, i) => Math.abs(value - before[i]) < 5);
     await tab.evaluate(() => window.view.setTrail(10, false));
     await waitForColor(isGone);
-    // of what is removed it goes, too
+    // removing an entity removes its trail
     await tab.evaluate(() => window.view.setTrail(10, true));
     for (const y of [-3, 3]) {
       await frame([10, 11], [0, y, 0, 0, 0, 0, 1, 0, y, 0, 0, 0, 0, 1]);

@@ -1,4 +1,4 @@
-/// The address of a file that another file names, relative to that.
+/// The address of a file that is referenced in the file `address`.
 export function addressBeside(address: string, name: string): string {
   const clean = name.replaceAll('\\', '/').replace(/^file:\/\//, '');
   const scheme = /^[a-z][a-z0-9+.-]*:\/\//i.exec(address)?.[0] ?? '';
@@ -12,12 +12,13 @@ export function addressBeside(address: string, name: string): string {
   return scheme + parts.join('/');
 }
 
-/// The extension of a file, in lower case, such as "dae".
+/// The extension of a file's name in lower case, such as "dae".
 export function endingOf(address: string): string {
   return (/\.([^./]+)$/.exec(address.split(/[?#]/)[0]!)?.[1] ?? '').toLowerCase();
 }
 
-/// Possible addresses of a texture named by a mesh: beside it, or in the folder for models' textures, as in Fortress.
+/// Possible addresses of a texture that is referenced in a mesh file: relative to it, or, as in Fortress, in the folder
+/// for the textures of models.
 export function pictureAddresses(mesh: string, name: string): string {
   const places = [name, `../materials/textures/${name}`].map((place) => addressBeside(mesh, place));
   return [...new Set(places)].join('\n');

@@ -1,4 +1,4 @@
-// Types of those parts of three's ColladaLoader that the page uses.
+// Type declarations for the parts of three's ColladaLoader that the page uses.
 declare module 'three/examples/jsm/loaders/collada/ColladaParser.js' {
   export class ColladaParser {
     parse(text: string): { library: unknown; collada: unknown; asset: { unit: number; upAxis: string } } | null;

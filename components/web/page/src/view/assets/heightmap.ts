@@ -1,14 +1,14 @@
 import { BufferAttribute, BufferGeometry, Vector3 } from 'three';
 
-/// Brightness of each pixel from 0 to 255, rows from the top of the image.
+/// The brightness of each pixel, 0 to 255; the first row is the top of the image.
 export interface GrayPicture {
   width: number;
   height: number;
   pixels: Uint8Array;
 }
 
-/// The ground of a heightmap, as in Fortress: black is at the origin's z, the brightest pixel at the height of the
-/// size; the top of the image is towards y. A pixel is as wide as the size divided by the number of pixels.
+/// The surface of a heightmap, as in Fortress. Black is at the origin's z, and the brightest pixel is higher by size z;
+/// the top of the image is in the direction of y. A pixel is size / number of pixels wide.
 export function groundGeometry(picture: GrayPicture, size: Vector3, origin: Vector3): BufferGeometry {
   const { width, height, pixels } = picture;
   const brightest = pixels.reduce((most, value) => Math.max(most, value), 1);
@@ -42,7 +42,7 @@ export function groundGeometry(picture: GrayPicture, size: Vector3, origin: Vect
   return geometry;
 }
 
-/// @param bytes Of an image file. Of colours the red channel is used, of 16 bits the upper 8, as in the simulator.
+/// @param bytes An image file. As in the simulator, the red channel is used, and the upper 8 bits of 16.
 export async function grayPictureOf(bytes: ArrayBuffer): Promise<GrayPicture> {
   const bitmap = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = bitmap;

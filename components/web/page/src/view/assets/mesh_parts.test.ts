@@ -42,7 +42,7 @@ test('a centred submesh has its middle at the origin', () => {
 
 test('a mesh of several materials is as many parts', () => {
   const material = (color: number) => new MeshStandardMaterial({ color });
-  // a box has a group of each of its sides
+  // BoxGeometry has a group for each of its sides
   const parts = partsOf(new Mesh(new BoxGeometry(), [material(0xff0000), material(0x0000ff)]), plain);
   assert.deepEqual(parts.map(({ geometry }) => geometry.index!.count), [6, 6]);
   assert.deepEqual(parts.map(({ paint }) => paint!.diffuse[2]), [0, 1]);
@@ -59,7 +59,7 @@ test('what is mirrored is seen from outside', () => {
   mesh.scale.set(-1, 1, 1);
   const [part] = partsOf(mesh, plain);
   const ray = new Raycaster(new Vector3(0.1, 0.3, 10), new Vector3(0, 0, -1));
-  // a ray meets fronts only
+  // a ray only intersects front faces
   const heights = (geometry: Mesh['geometry']) =>
     ray.intersectObject(new Mesh(geometry, new MeshPhongMaterial())).map(({ point }) => Math.round(point.z));
   assert.deepEqual(heights(part!.geometry), [1]);

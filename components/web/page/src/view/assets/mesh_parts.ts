@@ -16,22 +16,22 @@ import { type Paint, type Rgb, greyPaint } from '../draw/paint.ts';
 /// A part of a mesh file with one material.
 export interface MeshPart {
   geometry: BufferGeometry;
-  /// From the file; null if it has none.
+  /// The material of the file; null if it has none.
   paint: Paint | null;
 }
 
 export interface PartOptions {
-  /// Name of a single submesh; empty: all.
+  /// Name of the only submesh to use; empty: all.
   submesh: string;
-  /// Moves the centre of a submesh to the origin.
+  /// Whether to move the centre of the submesh to the origin.
   isCentered: boolean;
-  /// The loader took the file's colours for sRGB; the simulator takes them as linear.
+  /// Whether the loader has converted the file's colours from sRGB. The simulator takes them as linear.
   hasScreenColors: boolean;
-  /// Texture coordinates start at the top of the image.
+  /// Whether texture coordinates start at the top of the image.
   hasTexelsFromTop: boolean;
 }
 
-/// Splits the result of a three.js loader into parts, with the nodes' transformations applied.
+/// Splits the result of a three.js loader into parts, and applies the nodes' transformations.
 export function partsOf(root: Object3D, options: PartOptions): MeshPart[] {
   root.updateMatrixWorld(true);
   const parts: MeshPart[] = [];
@@ -52,7 +52,7 @@ export function partsOf(root: Object3D, options: PartOptions): MeshPart[] {
 
 function isWanted(mesh: Mesh, submesh: string): boolean {
   if (submesh === '') return true;
-  // names as in the files, and as written by the loaders
+  // the submesh's name as in the file, or as changed by three's loaders
   const names = [mesh.name, mesh.geometry.name, mesh.parent?.name, mesh.userData['name'] as string | undefined];
   return names.includes(submesh) || names.includes(PropertyBinding.sanitizeNodeName(submesh));
 }
@@ -71,7 +71,7 @@ function placed(mesh: Mesh): BufferGeometry {
   return mesh.matrixWorld.determinant() < 0 ? mirrored(geometry) : geometry;
 }
 
-/// The same triangles, facing the other way.
+/// A copy whose triangles face the other way (reversed winding).
 export function mirrored(geometry: BufferGeometry): BufferGeometry {
   const made = geometry.clone();
   const count = (made.index ?? made.getAttribute('position')).count;
@@ -81,7 +81,7 @@ export function mirrored(geometry: BufferGeometry): BufferGeometry {
   return made;
 }
 
-/// The part of a geometry with that material index; null if there is none.
+/// The triangles of a geometry with this material index; null if there are none.
 function ofGroup(geometry: BufferGeometry, material: number): BufferGeometry | null {
   const corners: number[] = [];
   for (const group of geometry.groups) {
@@ -111,7 +111,7 @@ function center(parts: MeshPart[]): void {
   for (const { geometry } of parts) geometry.translate(-middle.x, -middle.y, -middle.z);
 }
 
-/// A texture that a file names, fetched when it is shown.
+/// A texture that is referenced in a file. It is fetched when it is drawn.
 export function namedPicture(addresses: string): Texture {
   const texture = new Texture();
   texture.userData['addresses'] = addresses;
@@ -120,7 +120,7 @@ export function namedPicture(addresses: string): Texture {
 
 function paintOfFile(material: Material, hasScreenColors: boolean): Paint | null {
   const { color, specular, emissive, map } = material as Partial<MeshPhongMaterial>;
-  // the loaders' default for files without materials
+  // the loaders add a default material if the file has none
   if (color === undefined || material.userData['isDefault'] === true) return null;
   const share = (value: Color | undefined): Rgb => {
     if (value === undefined) return [0, 0, 0];

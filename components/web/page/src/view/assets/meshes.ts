@@ -17,14 +17,14 @@ export interface MeshRequest {
   isCentered: boolean;
 }
 
-/// The mesh files in use; each is fetched and parsed once.
+/// The mesh files in use. Each is fetched and parsed once.
 export class Meshes {
   private readonly files = new Map<string, Promise<Object3D>>();
   private readonly parts = new Map<string, Promise<MeshPart[]>>();
   private readonly done = new Map<string, MeshPart[]>();
   private readonly failed = new Set<MeshRequest>();
 
-  /// @param embed Stores an image embedded in a file, under an address.
+  /// @param embed Stores an image that is embedded in a mesh file, under an address.
   constructor(
     private readonly asset: FetchAsset,
     private readonly embed: (address: string, bytes: ArrayBuffer) => void,
@@ -34,12 +34,12 @@ export class Meshes {
     return `${request.filename}|${request.submesh}|${request.isCentered}`;
   }
 
-  /// @returns The parts, if they have been loaded already.
+  /// @returns The parts, if the file has been loaded.
   known(request: MeshRequest): MeshPart[] | undefined {
     return this.done.get(Meshes.key(request));
   }
 
-  /// A failed file is fetched again on the next request, because the connection may have been lost.
+  /// Forgets failures, so that these files are fetched again: the connection may have been lost.
   retry(): void {
     for (const request of this.failed) {
       this.parts.delete(Meshes.key(request));
@@ -48,7 +48,7 @@ export class Meshes {
     this.failed.clear();
   }
 
-  /// @throws (rejects) The error in the file, in words.
+  /// @throws (rejects) An Error with the reason.
   get(request: MeshRequest): Promise<MeshPart[]> {
     const key = Meshes.key(request);
     let known = this.parts.get(key);
@@ -103,7 +103,7 @@ export class Meshes {
       materials.preload();
       return loader.setMaterials(materials).parse(text);
     } catch {
-      // without its material library it still has the shape
+      // without its material library, the shape can still be shown
       return withDefaults(loader.parse(text));
     }
   }
@@ -133,7 +133,7 @@ export class Meshes {
     return namedPicture(within);
   }
 
-  /// @returns Null for data within the file itself, which the loader reads.
+  /// @returns The bytes of a buffer view; null if they are in the glTF file itself, whose loader reads them.
   private gltfView(address: string, parser: GLTFParser, index: number): Promise<ArrayBuffer> | null {
     const view = parser.json.bufferViews[index] as { buffer: number; byteOffset?: number; byteLength: number };
     const { uri } = parser.json.buffers[view.buffer] as { uri?: string };
@@ -146,7 +146,7 @@ export class Meshes {
   }
 }
 
-/// A texture loader that only records addresses.
+/// A texture loader that only records addresses, without loading.
 class NamedPictures {
   constructor(private readonly mesh: string) {}
 
@@ -174,7 +174,7 @@ function parseCollada(address: string, text: string): Object3D {
   if (parsed === null) throw new Error('it is not a Collada file');
   const pictures = new NamedPictures(address);
   const { scene } = new ColladaComposer(parsed.library, parsed.collada, pictures, pictures).compose();
-  // its axes are used as they are, whatever its up axis, as in Fortress
+  // the file's unit is applied, but not its up axis, as in Fortress
   scene.scale.setScalar(parsed.asset.unit || 1);
   return scene;
 }

@@ -17,14 +17,14 @@ function eyeAt(x: number, y: number, z: number, pitch: number): Eye {
   return eye;
 }
 
-/// Looks along x at a target at (10, 0, 0), from a distance of 10 m.
+/// A camera that looks along x, at a target at (10, 0, 0), from a distance of 10 m.
 function eyeAlong(): Eye {
   const eye = eyeAt(0, 0, 0, 0);
   near(eye.target, new Vector3(10, 0, 0));
   return eye;
 }
 
-/// An element of 200 x 100 pixels that listens.
+/// A fake element of 200 x 100 pixels that dispatches events.
 function elementFor(eye: Eye) {
   const element = Object.assign(new EventTarget(), {
     clientWidth: 200, clientHeight: 100, style: {}, ownerDocument: new EventTarget(), getRootNode: () => element,
@@ -125,7 +125,7 @@ test('turning keeps the target and stops at the poles', () => {
 test('panning takes the world along', () => {
   const eye = eyeAlong();
   elementFor(eye);
-  // of a picture of 100 pixels; its height at the target [m]
+  // height of the view at the target [m], for 100 pixels
   const height = 2 * 10 * Math.tan(1.05 / 2);
   eye.controls.pan(50, 0);
   near(eye.target, new Vector3(10, height / 2, 0));

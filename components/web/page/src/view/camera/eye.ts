@@ -7,14 +7,14 @@ export type Direction = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' |
 
 // vertical field of view [rad]
 const fieldOfView = 1.05;
-// limit of the pitch, because straight down the yaw would be undefined [rad]
+// largest pitch [rad], because the yaw is undefined for a vertical view
 const steepest = Math.PI / 2 - 0.001;
 // limits of the distance from the target [m]
 const nearest = 0.05;
 const farthest = 5000;
 /// Fortress's initial viewpoint.
 const home: Placement = { position: new Vector3(-6, 0, 6), rotation: fromRollPitchYaw(0, 0.5, 0) };
-// 'front' is the side that x points to
+// directions of sight; 'front' looks at the side of an entity that is in the direction of its x
 const sides: Record<Exclude<Direction, 'home'>, [yaw: number, pitch: number]> = {
   front: [Math.PI, 0],
   back: [0, 0],
@@ -24,7 +24,7 @@ const sides: Record<Exclude<Direction, 'home'>, [yaw: number, pitch: number]> = 
   bottom: [0, -steepest],
 };
 
-/// Direction of a line of sight. The yaw is from x towards y, the pitch is downward [rad].
+/// The direction for a yaw, from x towards y, and a pitch, downward [rad].
 function lineOfSight(yaw: number, pitch: number): Vector3 {
   const flat = Math.cos(pitch);
   return new Vector3(flat * Math.cos(yaw), flat * Math.sin(yaw), -Math.sin(pitch));
@@ -41,21 +41,21 @@ export class Eye {
   readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, farthest);
   readonly controls: OrbitControls;
 
-  /// @param changed The viewpoint has changed.
+  /// @param changed Called when the viewpoint has changed.
   constructor(changed: () => void = () => {}) {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera);
-    // as in Fortress; three rotates with Shift and the button that pans
+    // the buttons of Fortress; with Shift, OrbitControls rotate by the button that pans
     this.controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.ROTATE, RIGHT: MOUSE.DOLLY };
     this.controls.zoomToCursor = true;
-    // half a turn per height of the view
+    // a drag over the height of the view rotates by pi
     this.controls.rotateSpeed = 0.5;
     this.controls.minPolarAngle = Math.PI / 2 - steepest;
     this.controls.maxPolarAngle = Math.PI / 2 + steepest;
     this.controls.minDistance = nearest;
     this.controls.maxDistance = farthest;
     this.controls.addEventListener('change', () => {
-      // depth has enough precision only near the target
+      // the depth buffer is precise only if the near plane is not much nearer than the target
       this.camera.near = Math.min(Math.max(this.controls.getDistance() / 200, 0.005), 0.5);
       this.camera.updateProjectionMatrix();
       this.camera.updateMatrixWorld();
@@ -90,7 +90,7 @@ export class Eye {
     return ray;
   }
 
-  /// Sets the distance of the point to rotate around.
+  /// Sets the target of rotations, at this distance along the line of sight [m].
   turnAround(distance: number): void {
     this.controls.target.copy(this.camera.position).addScaledVector(this.sight, distance);
     this.controls.update();
@@ -102,12 +102,12 @@ export class Eye {
     this.controls.rotateUp(down * Math.PI);
   }
 
-  /// @param factor Of the distance.
+  /// @param factor By which the distance to the target is multiplied.
   zoom(factor: number): void {
     this.controls.dollyIn(factor);
   }
 
-  /// Moves with an entity.
+  /// Moves the viewpoint by an offset, to follow an entity.
   shift(offset: Vector3): void {
     this.look(this.target.clone().add(offset), this.sight, this.controls.getDistance());
   }
@@ -118,19 +118,20 @@ export class Eye {
     else this.look(this.target.clone(), lineOfSight(...sides[direction]), this.controls.getDistance());
   }
 
-  /// Looks at a ball so that all of it is visible.
+  /// Moves back or forth so that the whole sphere is visible, in the current direction.
   lookAt(middle: Vector3, radius: number): void {
     const half = Math.atan(Math.tan(fieldOfView / 2) * Math.min(this.camera.aspect, 1));
     this.look(middle, this.sight, Math.min(Math.max((1.1 * radius) / Math.sin(half), 0.3), farthest));
   }
 
-  /// The viewpoint as a pose: looks along x, z is up.
+  /// The viewpoint as a pose whose x axis is the line of sight, with z up.
   get placement(): Placement {
     const [yaw, pitch] = anglesOf(this.sight);
     return { position: this.camera.position.clone(), rotation: fromRollPitchYaw(0, pitch, yaw) };
   }
 
-  /// The target is on the ground if that is ahead and not too far, otherwise 10 m ahead.
+  /// The target is set to the point of the ground at which the camera looks, or 10 m ahead if that is behind or too
+  /// far.
   set placement({ position, rotation }: Placement) {
     const sight = lineOfSight(...anglesOf(new Vector3(1, 0, 0).applyQuaternion(rotation)));
     const toGround = sight.z < -0.05 ? position.z / -sight.z : -1;

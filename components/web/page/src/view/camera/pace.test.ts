@@ -3,7 +3,7 @@ import { test } from 'node:test';
 
 import { Pace } from './pace.ts';
 
-/// The shares of that many pictures, one after the other.
+/// The resolutions for this number of consecutive frames.
 function draw(pace: Pace, count: number, interval: number, begin = 0): number[] {
   return Array.from({ length: count }, (_, i) => pace.next(begin + i * interval));
 }

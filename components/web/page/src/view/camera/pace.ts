@@ -4,18 +4,18 @@ const scales = [1, 0.75, 0.5];
 const slowest = 60;
 // below this time it is increased again [ms]
 const quickest = 20;
-// number of consecutive frames that decide
+// number of consecutive frames that have to be slow or fast
 const enough = 8;
 // frames this far apart are not consecutive [ms]
 const pause = 1000;
 
-/// Resolution while things move: reduced if the browser can't keep up.
+/// Chooses the resolution while things move: reduced if the browser can't keep up.
 export class Pace {
   private level = 0;
   private last = -Infinity;
   private took: number[] = [];
 
-  /// Call for each frame.
+  /// To be called for each frame.
   /// @param now [ms]
   /// @returns The fraction of the full width and height to render.
   next(now: number): number {

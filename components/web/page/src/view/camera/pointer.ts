@@ -1,39 +1,41 @@
 import type { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 export interface PointerTarget {
-  /// A drag that rotates starts; positions are fractions of the view's width and height, from its upper left corner.
+  /// A drag that rotates starts at this position, as fractions of the view's width and height from its upper left
+  /// corner.
   turns(x: number, y: number): void;
-  /// A press and release without motion.
+  /// A button was pressed and released without motion.
   click(x: number, y: number): void;
-  /// The pointer moves without a button.
+  /// The pointer has moved while no button was pressed.
   hover(x: number, y: number): void;
 }
 
-// a click moves by at most this [px]
+// largest motion of a click [px]
 const clickSlack = 4;
-// With a zoomSpeed of 1, OrbitControls multiply the distance by 0.95 per 100 pixels: this is the logarithm per pixel.
+// OrbitControls with a zoomSpeed of 1 multiply the distance by 0.95 per 100 pixels: the logarithm per pixel.
 const logPerPixel = -Math.log(0.95) / 100;
 
-/// The zoomSpeed with which the distance is multiplied by exp(pixels / 500), by at most exp(0.6) per turn of the wheel.
+/// The zoomSpeed for a wheel event: the distance is multiplied by exp(pixels / 500), at most by exp(0.6).
 export function wheelSpeed(event: { deltaY: number; deltaMode: number }): number {
   const pixels = Math.abs(event.deltaY * [1, 16, 100][event.deltaMode]!);
   return (Math.min(1, 300 / pixels) / 500) / logPerPixel;
 }
 
-/// Whether OrbitControls rotate when a drag starts like this.
+/// Whether OrbitControls rotate in a drag that starts with this event.
 export function turns(event: { button: number; shiftKey: boolean; ctrlKey: boolean; metaKey: boolean; pointerType: string }): boolean {
   if (event.pointerType === 'touch' || event.button === 1) return true;
   return event.button === 0 && (event.shiftKey || event.ctrlKey || event.metaKey);
 }
 
-/// What OrbitControls don't do with the pointer: clicks, and the speeds of zooming.
+/// Pointer input beside OrbitControls: clicks, and zoom speeds.
 export class Pointer {
   private last = { x: 0, y: 0 };
-  /// Length of the pointer's path since the button was pressed; infinite: not pressed, or with several fingers [px].
+  /// Length of the pointer's path since the press [px]; infinite if no button or several fingers are pressed.
   private path = Infinity;
   private readonly end = new AbortController();
 
-  /// Create it after the handles and before the controls are connected, because listeners are called in this order.
+  /// Must be created after the handles and before the controls are connected, because listeners are called in this
+  /// order.
   constructor(
     private readonly element: HTMLElement,
     private readonly controls: OrbitControls,
@@ -56,11 +58,11 @@ export class Pointer {
   }
 
   private down(event: PointerEvent): void {
-    // something else uses the pointer: the handles
+    // the handles use the pointer
     if (!this.controls.enabled) return;
     this.path = event.isPrimary ? 0 : Infinity;
     this.last = { x: event.clientX, y: event.clientY };
-    // fingers zoom by the ratio of their distances, a button by a factor of 20 over the height of the view
+    // two fingers zoom by the ratio of their distances; a drag by a button over the view's height by exp(3) = 20
     this.controls.zoomSpeed = event.pointerType === 'touch' ? 1 : 3 / logPerPixel / (this.element.clientHeight || 1);
     if (event.isPrimary && turns(event)) this.target.turns(...this.share(event));
   }

@@ -14,19 +14,19 @@ import type { Visual } from '../scene/content.ts';
 import { Materials, type Style } from './materials.ts';
 import type { Paint } from './paint.ts';
 
-/// A surface with its pose. A visual has one, or several if its mesh has parts.
+/// A surface with its pose. A visual has one, or several if its mesh has several parts.
 export interface Item {
   visual: Visual;
   geometry: BufferGeometry;
   geometryKey: string;
   paint: Paint;
-  /// From the geometry, including its scale, to the frame that contains it.
+  /// Transform from the geometry, including its scale, to the frame of the place.
   M_PlaceForm: Matrix4;
   isGround: boolean;
   castsShadows: boolean;
 }
 
-/// Items drawn in one call, with the same geometry and material.
+/// Items with the same geometry and material, drawn in one call (InstancedMesh).
 class Batch {
   readonly items: Item[] = [];
   mesh: InstancedMesh;
@@ -41,7 +41,7 @@ class Batch {
     this.mesh.count = this.items.length;
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.receiveShadow = true;
-    // its bounds change with every pose
+    // three would compute the bounds once, but they change with every pose
     this.mesh.frustumCulled = false;
     this.mesh.userData['batch'] = this;
   }
@@ -76,7 +76,7 @@ interface Seat {
   index: number;
 }
 
-/// All visible surfaces of a scene. Only moving ones cost anything: a matrix each.
+/// All visible surfaces of a scene. Per frame, only moving items cost anything: a matrix each.
 export class Batches {
   readonly group = new Group();
   private readonly batches = new Map<string, Batch>();
@@ -123,12 +123,12 @@ export class Batches {
     return this.seats.has(place);
   }
 
-  /// Moves the items of a place.
+  /// Moves the items of a place to its pose.
   move(place: number, M_WorldPlace: Matrix4): void {
     for (const { item, seat } of this.seats.get(place) ?? []) this.put(seat, item, M_WorldPlace);
   }
 
-  /// Everywhere that something is.
+  /// The ids of all places with items.
   places(): Iterable<number> {
     return this.seats.keys();
   }

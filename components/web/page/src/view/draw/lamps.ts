@@ -19,7 +19,7 @@ import { rgbOf } from './paint.ts';
 
 const mostShadows = 4;
 const shadowEdge = 2048;
-// size of the region with shadows, around the target of the viewpoint, in larger scenes [m]
+// radius of the region with shadows, around the target of the viewpoint, in larger scenes [m]
 const mostShadowRadius = 25;
 
 type Shining = DirectionalLight | PointLight | SpotLight;
@@ -28,11 +28,11 @@ interface Lamp {
   light: Shining;
   message: LightMessage;
   throwsShadow: boolean;
-  /// Direction of a directional light in the world.
+  /// Direction of a directional light, in world coordinates.
   direction: Vector3;
 }
 
-/// SDF's colour of a light is that of a white surface facing it; three.js counts light per solid angle.
+/// three's colour for a light. In SDF it is the colour of a white surface that faces the light; three divides by pi.
 export function colorOfLight(message: LightMessage): Color {
   const intensity = message.intensity ?? 1;
   return new Color(...rgbOf(message.diffuse)).multiplyScalar(intensity * Math.PI);
@@ -56,12 +56,12 @@ export class Lamps {
     this.group.add(this.ambient);
   }
 
-  /// Ambient light; as in Fortress, whose renderer spreads it over the half of the sky.
+  /// Sets the ambient light. As in Fortress, the renderer divides it by pi, because it spreads over the hemisphere.
   setAmbient(color: ColorMessage | undefined): void {
     this.ambient.color = color === undefined ? new Color(0.4, 0.4, 0.4) : new Color(...rgbOf(color));
   }
 
-  /// Whether lights cast shadows at all.
+  /// Enables or disables all shadows.
   setShadows(on: boolean): void {
     this.hasShadows = on;
     for (const { light, throwsShadow } of this.lamps.values()) light.castShadow = throwsShadow && on;
@@ -105,7 +105,7 @@ export class Lamps {
     if ('target' in lamp.light) lamp.light.target.position.copy(X_WorldLight.position).add(lamp.direction);
   }
 
-  /// Adapts a directional light to a region with shadows. Its position has no other effect.
+  /// Fits the shadow cameras of directional lights to a region. The position of such a light has no other effect.
   aimShadows(region: Sphere | null): void {
     for (const { light, direction } of this.lamps.values()) {
       if (!(light instanceof DirectionalLight) || region === null) continue;

@@ -13,20 +13,20 @@ import {
 import type { Textures } from './textures.ts';
 import type { Paint } from './paint.ts';
 
-/// Overrides of a material's appearance for an entity.
+/// Per-entity overrides of a material's appearance.
 export interface Style {
   wireframe: boolean;
   transparent: boolean;
 }
 
-/// Maximum number of lights, as for the cameras.
+/// Maximum number of lights, equal to that of the simulated cameras.
 export const mostLamps = 16;
 
 /// Attenuation of each light: constant, linear and quadratic factor, and the falloff of a spot. A light's `decay` is
 /// its index here.
 export const attenuations = { value: Array.from({ length: mostLamps }, () => new Vector4(1, 0, 0, 1)) };
 
-// instead of three's own, which has no constant and linear factors, and no falloff
+// replaces three's function, which has neither constant and linear factors nor a falloff
 const attenuationFunction = `
 uniform vec4 attenuations[${mostLamps}];
 float getDistanceAttenuation(const in float far, const in float range, const in float lamp) {
@@ -41,10 +41,10 @@ float getSpotAttenuation(const in float outer, const in float inner, const in fl
 }
 `;
 
-/// Colour reflected by smooth surfaces, horizontally and from above.
+/// Colour that smooth surfaces reflect, from the horizon and from above.
 export const mirroredSky = { value: new Color(0, 0, 0) };
 
-// smooth surfaces reflect the ambient light and the background instead of their surroundings
+// smooth surfaces reflect the ambient light and the background, because the scene is no environment map
 const mirroring = `
 {
   vec3 skyward = normalize((viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz);
@@ -57,7 +57,7 @@ const mirroring = `
 }
 `;
 
-/// Inserts SDF's attenuation into three's shader source.
+/// Replaces the attenuation in three's shader source by that of SDF.
 export function withAttenuation(lightsChunk: string): string {
   const begin = lightsChunk.indexOf('float getDistanceAttenuation(');
   const end = lightsChunk.indexOf('#if NUM_', begin);
@@ -69,7 +69,7 @@ export function withAttenuation(lightsChunk: string): string {
   return text.replace(call, call.replace('angleCos )', 'angleCos, spotLight.decay )'));
 }
 
-/// The materials in use, shared by surfaces that differ only in colour, which is set per instance.
+/// The materials in use. Surfaces that differ only in colour share one; the colour is set per instance.
 export class Materials {
   private readonly materials = new Map<string, Material>();
 
@@ -93,7 +93,7 @@ export class Materials {
     made.depthWrite = opacity >= 1;
     made.side = paint.isDoubleSided || style.wireframe || style.transparent ? DoubleSide : FrontSide;
     made.wireframe = style.wireframe;
-    // so that lines on a surface, such as the grid, stay visible
+    // moves surfaces back in depth, so that lines on them, such as the grid, are visible
     made.polygonOffset = true;
     made.polygonOffsetFactor = made.polygonOffsetUnits = 1;
     this.materials.set(key, made);
@@ -112,7 +112,7 @@ export class Materials {
     this.textures.put(material, 'normalMap', paint.normalMap, NoColorSpace);
     this.textures.put(material, 'roughnessMap', paint.roughnessMap, NoColorSpace);
     this.textures.put(material, 'metalnessMap', paint.metalnessMap, NoColorSpace);
-    // textures with holes: leaves, fences
+    // discards transparent texels, for leaves and fences
     if (paint.colorMap !== '') material.alphaTest = 0.05;
     material.onBeforeCompile = (shader) => {
       shader.uniforms['attenuations'] = attenuations;

@@ -3,7 +3,7 @@ import type { ColorMessage, MaterialMessage } from '../messages.ts';
 /// Linear colour components: red, green, blue.
 export type Rgb = [number, number, number];
 
-/// The appearance of a surface, from all settings of a material.
+/// The appearance of a surface: SDF's material settings in three's terms.
 export interface Paint {
   diffuse: Rgb;
   specular: Rgb;
@@ -14,7 +14,7 @@ export interface Paint {
   opacity: number;
   isLit: boolean;
   isDoubleSided: boolean;
-  /// Addresses of its textures; empty: none.
+  /// Addresses of textures; empty: none.
   colorMap: string;
   normalMap: string;
   roughnessMap: string;
@@ -22,7 +22,7 @@ export interface Paint {
   glowMap: string;
 }
 
-/// The default without a material.
+/// The appearance of a visual without a material.
 export const greyPaint: Readonly<Paint> = {
   diffuse: [0.7, 0.7, 0.7],
   specular: [1, 1, 1],
@@ -51,7 +51,7 @@ function share(value: number): number {
   return Math.min(Math.max(Number.isFinite(value) ? value : 0, 0), 1);
 }
 
-/// Like the simulator's cameras.
+/// Converts a material like the simulated cameras.
 export function paintOf(material: MaterialMessage, transparency = 0): Paint {
   const { pbr } = material;
   const isMetal = pbr?.type === metalWorkflow;
@@ -61,7 +61,7 @@ export function paintOf(material: MaterialMessage, transparency = 0): Paint {
   return {
     diffuse: rgbOf(material.diffuse),
     specular: rgbOf(material.specular),
-    // a map without a number counts alone, as in Fortress
+    // an emissive map without a colour is used as it is, as in Fortress
     emissive: glowMap !== '' && emissive.every((value) => value === 0) ? [1, 1, 1] : emissive,
     metalness: isMetal ? share(pbr.metalness ?? 0) : 0,
     roughness: isMetal ? share(pbr.roughness ?? 0) : isGlossy ? share(1 - (pbr.glossiness ?? 0)) : greyPaint.roughness,

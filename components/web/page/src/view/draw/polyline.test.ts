@@ -9,7 +9,7 @@ function square(half: number, height: number) {
   return { height, point: corners.map(([x, y]) => ({ x: x! * half, y: y! * half })) };
 }
 
-/// Heights at which a ray from above enters.
+/// Height at which a vertical ray from above enters the geometry.
 function top(geometry: BufferGeometry, x: number, y: number): number | undefined {
   const ray = new Raycaster(new Vector3(x, y, 10), new Vector3(0, 0, -1));
   return ray.intersectObject(new Mesh(geometry, new MeshBasicMaterial()))[0]?.point.z;

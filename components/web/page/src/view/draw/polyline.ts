@@ -2,7 +2,7 @@ import { BufferGeometry, ExtrudeGeometry, Path, Shape, ShapeUtils, Vector2 } fro
 
 type Line = { height?: number; point?: { x?: number; y?: number }[] };
 
-/// A closed line without consecutive equal points.
+/// The points of a closed line, without equal consecutive ones.
 function pointsOf(line: Line): Vector2[] {
   const points = (line.point ?? []).map(({ x = 0, y = 0 }) => new Vector2(x, y));
   const last = points.at(-1);
@@ -19,7 +19,7 @@ function holds(outline: Vector2[], { x, y }: Vector2): boolean {
   return isIn;
 }
 
-/// The extrusion of closed lines from z = 0 up. A line inside an odd number of others is a hole.
+/// The extrusion of closed lines from z = 0 upward. A line inside an odd number of others is a hole.
 export function polylineGeometry(lines: Line[]): BufferGeometry {
   const outlines = lines.map(pointsOf).filter((points) => points.length > 2);
   const within = outlines.map((points) => outlines.filter((other) => other !== points && holds(other, points[0]!)));

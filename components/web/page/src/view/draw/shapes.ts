@@ -14,19 +14,19 @@ import { type Placement, noPlacement, vectorOf } from '../maths/placement.ts';
 import { type GeometryMessage, GeometryType } from '../messages.ts';
 import { polylineGeometry } from './polyline.ts';
 
-// circles are accurate to 0.2 % of their radius
+// number of segments: the deviation from a circle is at most 1 - cos(pi / 48) = 0.2 % of the radius
 const sectors = 48;
 const rings = 24;
 
-/// A shape to draw: a shared geometry and its transformation.
+/// A shape to draw: a geometry, shared by equal shapes, and its transformation.
 export interface Form {
-  /// Key by which geometries are shared.
+  /// Equal for shapes with the same geometry.
   key: string;
   make(): BufferGeometry;
-  /// Along the axes of the geometry, before rotation.
+  /// Scale along the axes of the geometry, applied before the rotation.
   scale: Vector3;
   X_ShapeForm: Placement;
-  /// Ground, on which other objects stand.
+  /// Whether it is ground, on which other objects stand.
   isGround: boolean;
 }
 
@@ -38,7 +38,8 @@ function round(key: string, radius: number, length: number, make: () => BufferGe
   return form(key, () => make().rotateX(Math.PI / 2), new Vector3(radius, radius, length));
 }
 
-/// @returns Null for shapes from files (mesh, heightmap), for no shape, and for images, which cameras do not see.
+/// @returns Null for shapes from files (mesh, heightmap), for empty ones, and for images, which the cameras do not
+/// render.
 export function formOf(geometry: GeometryMessage): Form | null {
   switch (geometry.type ?? GeometryType.box) {
     case GeometryType.box:

@@ -7,7 +7,8 @@ export interface SkyColors {
   horizon: Color;
 }
 
-/// The colours of the cameras' sky at a time of day: bright all day, dark from about an hour after sunset on.
+/// The colours of the sky at a time of day, as for the simulated cameras: bright during the day, dark from about an
+/// hour after sunset.
 export function skyColors(sky: SkyMessage): SkyColors {
   const { time = 0, sunrise = 0, sunset = 0 } = sky;
   const length = sunset - sunrise;

@@ -4,7 +4,7 @@ import { MeshBasicMaterial, SRGBColorSpace, type Texture } from 'three';
 
 import { Textures } from './textures.ts';
 
-// what the browser makes of bytes
+// a substitute for the browser's decoder
 Object.assign(globalThis, { createImageBitmap: () => Promise.resolve({ width: 1, height: 1, close: () => {} }) });
 
 function made(there: string[]): { textures: Textures; asked: string[]; problems: string[]; changes: number[] } {

@@ -1,22 +1,22 @@
 import { type ColorSpace, type Material, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
 
-/// Returns the bytes of a file that the scene names.
+/// Returns the bytes of a file by its address in the scene.
 export type FetchAsset = (address: string) => Promise<ArrayBuffer>;
 
-/// The textures in use, by address; each is fetched once.
+/// The textures in use, by address. Each file is fetched once.
 export class Textures {
   private readonly textures = new Map<string, Promise<Texture>>();
   private readonly embedded = new Map<string, ArrayBuffer>();
 
-  /// @param changed Called when a texture has arrived.
-  /// @param problem Called once for a texture that is not available.
+  /// @param changed Called when a texture has been loaded.
+  /// @param problem Called once for each texture that can't be loaded.
   constructor(
     private readonly asset: FetchAsset,
     private readonly changed: () => void,
     private readonly problem: (text: string) => void,
   ) {}
 
-  /// Applies a texture to a material as soon as it is available.
+  /// Assigns a texture to a material when it has been loaded.
   put(material: Material, slot: string, address: string, colorSpace: ColorSpace): void {
     if (address === '') return;
     void this.get(address, colorSpace).then(
@@ -34,7 +34,7 @@ export class Textures {
     this.embedded.set(address, bytes);
   }
 
-  /// @param address One, or several lines, of which the first available one is used.
+  /// @param address One address, or several in lines, of which the first that exists is used.
   private get(address: string, colorSpace: ColorSpace): Promise<Texture> {
     const key = `${colorSpace} ${address}`;
     let known = this.textures.get(key);
@@ -76,7 +76,7 @@ export async function textureOf(bytes: ArrayBuffer, colorSpace: ColorSpace): Pro
     colorSpaceConversion: colorSpace === SRGBColorSpace ? 'default' : 'none',
   });
   const texture = new Texture(picture);
-  // it has been flipped already
+  // createImageBitmap has flipped the image
   texture.flipY = false;
   texture.colorSpace = colorSpace;
   texture.wrapS = texture.wrapT = RepeatWrapping;

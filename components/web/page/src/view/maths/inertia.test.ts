@@ -5,7 +5,7 @@ import { Vector3 } from 'three';
 import { fromRollPitchYaw } from './placement.ts';
 import { inertiaBox, leadRadius, principal } from './inertia.ts';
 
-/// Moments of a box of mass 12, about the axes of the box.
+/// Moments of a box of mass 12 about its axes: m / 12 (b^2 + c^2), ...
 function momentsOf(x: number, y: number, z: number): Vector3 {
   return new Vector3(y * y + z * z, x * x + z * z, x * x + y * y);
 }
@@ -22,7 +22,7 @@ test('a turned box is found with its rotation', () => {
   const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map((axis) =>
     axis.applyQuaternion(rotation),
   );
-  // the sum of moment times axis times axis transposed
+  // the matrix R diag(moments) R^T
   const at = (a: 'x' | 'y' | 'z', b: 'x' | 'y' | 'z') =>
     [i.x, i.y, i.z].reduce((sum, moment, k) => sum + moment * axes[k]![a] * axes[k]![b], 0);
   const inertial = {
@@ -32,7 +32,7 @@ test('a turned box is found with its rotation', () => {
   const box = inertiaBox(inertial)!;
   const lengths = box.size.toArray().sort();
   assert.ok(lengths.every((length, k) => Math.abs(length - [1, 2, 3][k]!) < 1e-6), lengths.join(' '));
-  // the longest side lies along the z of the box
+  // the longest side of the box is along z of the frame
   const longest = box.size.toArray().indexOf(Math.max(...box.size.toArray()));
   const side = new Vector3().setComponent(longest, 1).applyQuaternion(box.rotation);
   assert.ok(Math.abs(side.dot(axes[2]!)) > 1 - 1e-9);

@@ -2,14 +2,14 @@ import { Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 
 import type { InertialMessage } from '../messages.ts';
 
-/// The diagonal form of a symmetric matrix.
+/// The diagonal form of a symmetric matrix: R diag(values) R^T.
 export interface Principal {
   values: Vector3;
-  /// Its columns are the axes.
+  /// R: its columns are the principal axes.
   rotation: Quaternion;
 }
 
-/// Jacobi's method: eliminates the largest off-diagonal element until all are negligible.
+/// Jacobi's eigenvalue algorithm: rotates the largest off-diagonal element to zero until all are negligible.
 export function principal(xx: number, yy: number, zz: number, xy: number, xz: number, yz: number): Principal {
   const a = [
     [xx, xy, xz],
@@ -45,7 +45,7 @@ function largest(a: number[][]): [number, number] {
   return pairs.reduce((best, pair) => (Math.abs(a[pair[0]]![pair[1]]!) > Math.abs(a[best[0]]![best[1]]!) ? pair : best));
 }
 
-/// Replaces a by transpose(R) a R, and v by v R.
+/// Replaces a by R^T a R, and v by v R, where R is a rotation in the plane of p and q.
 function turn(a: number[][], v: number[][], p: number, q: number, c: number, s: number): void {
   const columns = (m: number[][]) => {
     for (const row of m) [row[p], row[q]] = [c * row[p]! - s * row[q]!, s * row[p]! + c * row[q]!];
@@ -55,19 +55,19 @@ function turn(a: number[][], v: number[][], p: number, q: number, c: number, s: 
   columns(v);
 }
 
-/// The box of uniform density with the same mass and moments.
+/// The box of uniform density with the same mass and moments of inertia.
 export interface InertiaBox {
   size: Vector3;
-  /// In the frame of the centre of mass.
+  /// Orientation in the frame of the centre of mass.
   rotation: Quaternion;
 }
 
-/// @returns Null for moments that no body can have.
+/// @returns Null for moments that violate the triangle inequality: no body has them.
 export function inertiaBox(inertial: InertialMessage): InertiaBox | null {
   const { mass = 0, ixx = 0, iyy = 0, izz = 0, ixy = 0, ixz = 0, iyz = 0 } = inertial;
   if (!(mass > 0)) return null;
   const { values, rotation } = principal(ixx, iyy, izz, ixy, ixz, iyz);
-  // moments of a box: m / 12 * (b^2 + c^2), ...
+  // from the moments of a box, Ixx = m / 12 (b^2 + c^2), ...: a^2 = 6 / m (Iyy + Izz - Ixx), ...
   const square = (a: number, b: number, c: number) => (6 / mass) * (b + c - a);
   const squares = [
     square(values.x, values.y, values.z),
@@ -78,7 +78,7 @@ export function inertiaBox(inertial: InertialMessage): InertiaBox | null {
   return { size: new Vector3(...squares.map((value) => Math.sqrt(Math.max(value, 0)))), rotation };
 }
 
-/// Radius of a ball of lead with that mass, which marks a centre of mass [m].
+/// Radius of a ball of this mass with the density of lead, 11,340 kg/m^3 [m].
 export function leadRadius(mass: number): number {
   return Math.cbrt((0.75 * Math.max(mass, 0)) / (Math.PI * 11340));
 }

@@ -20,13 +20,13 @@ export function noPlacement(): Placement {
   return { position: new Vector3(), rotation: new Quaternion() };
 }
 
-/// Missing values and NaN are 0.
+/// The vector of a message; missing values, infinities and NaN are 0.
 export function vectorOf(message: VectorMessage | undefined): Vector3 {
   const finite = (value = 0) => (Number.isFinite(value) ? value : 0);
   return new Vector3(finite(message?.x), finite(message?.y), finite(message?.z));
 }
 
-/// A missing or invalid rotation is the identity.
+/// A missing or invalid quaternion gives the identity.
 function rotationOf(x: number, y: number, z: number, w: number): Quaternion {
   const rotation = new Quaternion(x, y, z, w);
   const length = rotation.length();
@@ -47,7 +47,7 @@ export function poseOf(placement: Placement): Pose {
   return { position: [p.x, p.y, p.z], orientation: [q.x, q.y, q.z, q.w] };
 }
 
-/// X_AC from X_AB and X_BC.
+/// X_AC = X_AB X_BC.
 export function times(X_AB: Placement, X_BC: Placement): Placement {
   return {
     position: X_BC.position.clone().applyQuaternion(X_AB.rotation).add(X_AB.position),
@@ -55,18 +55,18 @@ export function times(X_AB: Placement, X_BC: Placement): Placement {
   };
 }
 
-/// X_BA from X_AB.
+/// X_BA, the inverse of X_AB.
 export function inverse(X_AB: Placement): Placement {
   const rotation = X_AB.rotation.clone().invert();
   return { position: X_AB.position.clone().negate().applyQuaternion(rotation), rotation };
 }
 
-/// The matrix of a frame whose content is scaled along its axes.
+/// The transformation matrix of a pose, after a scaling along the axes.
 export function matrixOf(placement: Placement, scale = new Vector3(1, 1, 1)): Matrix4 {
   return new Matrix4().compose(placement.position, placement.rotation, scale);
 }
 
-/// Rotation about x, then y, then z of the outer frame, as in SDF's poses [rad].
+/// SDF's fixed-axis rotation: about x, then y, then z of the outer frame [rad].
 export function fromRollPitchYaw(roll: number, pitch: number, yaw: number): Quaternion {
   const about = (x: number, y: number, z: number, angle: number) =>
     new Quaternion().setFromAxisAngle(new Vector3(x, y, z), angle);

@@ -1,6 +1,6 @@
 import { Group, type Matrix4, Object3D } from 'three';
 
-/// Objects that move with places of the scene.
+/// Objects that are shown at the poses of places in the scene.
 export class Attached {
   readonly group = new Group();
   private readonly anchors = new Map<number, Group>();

@@ -3,20 +3,20 @@ import { BufferGeometry, Float32BufferAttribute, Points, PointsMaterial } from '
 import type { Message } from '../messages.ts';
 import { put } from './scan.ts';
 
-// more than a screen can show
+// limit of displayed points, above what a screen can resolve
 const mostPoints = 300_000;
 
 // ignition.msgs.PointCloudPacked.Field.DataType
 const float32 = 6;
 
 export interface CloudPoints {
-  /// In the frame of the cloud [m]: three numbers per point.
+  /// Positions in the frame of the cloud [m]: x, y, z per point.
   places: Float32Array;
-  /// Red, green and blue, from 0 to 1.
+  /// Red, green and blue per point, from 0 to 1.
   colors: Float32Array;
 }
 
-/// The finite points of an ignition.msgs.PointCloudPacked; of a large cloud every n-th.
+/// The points of an ignition.msgs.PointCloudPacked with finite coordinates; every n-th one of a large cloud.
 export function pointsOf(cloud: Message): CloudPoints {
   const none = { places: new Float32Array(), colors: new Float32Array() };
   const data = cloud['data'] as Uint8Array | undefined;
@@ -48,19 +48,19 @@ export function pointsOf(cloud: Message): CloudPoints {
   return { places: places.subarray(0, end), colors: colors.subarray(0, end) };
 }
 
-/// Colours packed as in ROS: 0x00rrggbb in the bits of a float.
+/// Unpacks a colour as in ROS: 0x00rrggbb in the bits of a float.
 function packedColor(bits: number): [number, number, number] {
   return [((bits >> 16) & 255) / 255, ((bits >> 8) & 255) / 255, (bits & 255) / 255];
 }
 
-/// From red (near) over green to blue (far); repeats every 10 m.
+/// A colour for a distance: from red (near) over green to blue (far), repeated every 10 m.
 function distanceColor(distance: number): [number, number, number] {
   const hue = (distance / 10) % 1;
   const wave = (shift: number) => 0.5 + 0.5 * Math.cos(2 * Math.PI * (hue - shift));
   return [wave(0), wave(1 / 3), wave(2 / 3)];
 }
 
-/// A point cloud, in its frame.
+/// A point cloud, drawn in its own frame.
 export class Cloud {
   readonly object = new Points(
     new BufferGeometry(),

@@ -7,7 +7,7 @@ import { put } from './scan.ts';
 const normalLength = 0.2;
 
 export interface ContactMarks {
-  /// Three numbers each, in the world [m].
+  /// Contact points in world coordinates [m]: x, y, z each.
   points: number[];
   /// End points of the lines along the normals.
   normals: number[];
@@ -29,7 +29,7 @@ export function contactMarks(contacts: Message): ContactMarks {
   return marks;
 }
 
-/// Contact points with their normals, visible through everything.
+/// Contact points and normals, drawn on top of everything.
 export class Contacts {
   readonly object = new Group();
   private readonly points = new Points(

@@ -2,10 +2,10 @@ import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments
 
 export type Theme = 'dark' | 'light';
 
-// the grid of Fortress: 20 cells of a metre
+// half the number of cells: Fortress's grid has 20 x 20 cells of 1 m
 const half = 10;
 
-/// Positions of the grid's lines, in pieces of one cell: long lines that pass the eye are not always drawn.
+/// End points of the grid's lines, in pieces of one cell: some renderers drop long lines that pass the camera.
 export function gridLines(): number[] {
   const lines: number[] = [];
   for (let a = -half; a <= half; ++a) {

@@ -5,7 +5,7 @@ import type { Stage } from '../scene/stage.ts';
 import { Attached } from './attached.ts';
 import { centreMark, collisionMark, frameMark, inertiaMark, jointMark } from './marks.ts';
 
-/// Marks of entities: frames, joints, centres of mass, inertia boxes and collisions.
+/// The overlays of entities: frames, joints, centres of mass, inertia boxes and collisions.
 export class Marked {
   private readonly attached = new Attached();
   private generation = 0;
@@ -20,13 +20,13 @@ export class Marked {
     return this.attached.group;
   }
 
-  /// Moves the marks of a place to its current pose.
+  /// Moves the overlays of a place to its current pose.
   move(place: number): void {
     const matrix = this.attached.has(place) ? this.stage.places.matrix(place) : null;
     if (matrix) this.attached.move(place, matrix);
   }
 
-  /// Creates all marks again.
+  /// Creates all overlays anew.
   rebuild(): void {
     const generation = ++this.generation;
     this.attached.clear();
@@ -44,7 +44,7 @@ export class Marked {
     for (const collision of content.collisions) {
       if (!this.has('collisions', collision.place)) continue;
       this.stage.withShape(collision, `collision '${collision.name}'`, (geometry, M_PlaceForm) => {
-        // its file may arrive when something else is shown
+        // the file may arrive after the overlays were created anew
         if (generation !== this.generation) return;
         const mark = collisionMark(geometry);
         mark.matrixAutoUpdate = false;
@@ -64,7 +64,7 @@ export class Marked {
     this.changed();
   }
 
-  /// Size of a mark that suits the entity [m].
+  /// Size of an overlay in proportion to the entity [m].
   private lengthAt(place: number): number {
     const box = this.stage.batches.boundsInPlace(place);
     if (box.isEmpty()) return 0.3;

@@ -19,13 +19,13 @@ import { placementOf, times, vectorOf } from '../maths/placement.ts';
 import { type InertialMessage, JointType } from '../messages.ts';
 import type { Joint } from '../scene/content.ts';
 
-// all marks share these
+// geometries shared by all overlays
 const cube = new BoxGeometry();
 const ball = new SphereGeometry(1, 24, 12);
 const arrowTip = new ConeGeometry(0.08, 0.25, 16);
 const ring = new TorusGeometry(0.35, 0.02, 8, 32).rotateX(Math.PI / 2);
 
-// overlays are visible through everything
+// drawn on top of everything
 const over = { depthTest: false, transparent: true } as const;
 const axisColors = [0xff2020, 0x20c020, 0x3050ff].map((color) => new MeshBasicMaterial({ color, ...over }));
 const axisColor = new MeshBasicMaterial({ color: 0xffe000, ...over });
@@ -35,7 +35,7 @@ const collisionColor = new MeshLambertMaterial({
   color: 0xff8010, opacity: 0.5, transparent: true, depthWrite: false, side: DoubleSide,
 });
 
-/// Rods in the colours of the axes: x red, y green, z blue.
+/// Three rods along the axes: x red, y green, z blue.
 export function frameMark(length: number): Object3D {
   const mark = new Group();
   axisColors.forEach((color, axis) => {
@@ -48,7 +48,7 @@ export function frameMark(length: number): Object3D {
   return mark;
 }
 
-/// The frame of a joint, and an arrow along each axis, with a ring if it is rotational.
+/// The frame of a joint, and an arrow along each axis, with a ring if it is revolute.
 export function jointMark(joint: Joint, length: number): Object3D {
   const mark = new Group();
   mark.add(frameMark(length * 0.5));
@@ -74,7 +74,7 @@ export function jointMark(joint: Joint, length: number): Object3D {
   return mark;
 }
 
-/// A ball at the centre of mass, with the link's mass if it were of lead.
+/// A ball at the centre of mass, as large as the link's mass would be in lead.
 export function centreMark(inertial: InertialMessage): Object3D {
   const mark = new Mesh(ball, centreColor);
   mark.scale.setScalar(Math.max(leadRadius(inertial.mass ?? 0), 0.005));
@@ -83,7 +83,7 @@ export function centreMark(inertial: InertialMessage): Object3D {
   return mark;
 }
 
-/// The box of uniform density with the same mass and moments.
+/// A box of uniform density with the link's mass and moments of inertia.
 export function inertiaMark(inertial: InertialMessage): Object3D | null {
   const box = inertiaBox(inertial);
   if (box === null) return null;

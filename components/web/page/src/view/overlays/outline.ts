@@ -2,7 +2,7 @@ import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments, Vector3 } 
 
 import type { Stage } from '../scene/stage.ts';
 
-/// The edges of a box around the selected entity.
+/// The edges of the bounding box of the selected entity.
 export class Outline {
   readonly object = new LineSegments(
     new EdgesGeometry(new BoxGeometry()),
@@ -15,13 +15,13 @@ export class Outline {
     this.object.frustumCulled = false;
   }
 
-  /// Moves it to the entity's current pose; null: hides it.
+  /// Moves the box to the entity's current pose. Null hides it.
   update(stage: Stage, entity: number | null): void {
     const shown = entity === null ? null : stage.places.shown(entity);
     this.object.visible = shown !== null;
     if (entity === null || shown === null) return;
     const box = stage.boundsOf(entity, shown);
-    // slightly larger than the entity
+    // slightly larger, so that the edges are not hidden by the entity's faces
     const size = box.getSize(new Vector3()).multiplyScalar(1.02).addScalar(0.004);
     const middle = box.getCenter(new Vector3());
     const { position, rotation } = shown;

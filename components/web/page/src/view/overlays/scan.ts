@@ -4,11 +4,11 @@ import type { Message } from '../messages.ts';
 
 /// The beams of a scan, in the frame of the sensor [m].
 export interface Beams {
-  /// Positions of the hits: three numbers each.
+  /// Positions of the hits: x, y, z each.
   hits: Float32Array;
-  /// Start and end points of the beams with a hit.
+  /// Start and end points of beams with a hit.
   hitLines: Float32Array;
-  /// Those of the beams without a hit.
+  /// Start and end points of beams without a hit.
   missLines: Float32Array;
 }
 
@@ -31,7 +31,7 @@ export function beamsOf(scan: Message): Beams {
     const [x, y, z] = [Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch)];
     const range = values[i]!;
     const isHit = Number.isFinite(range) && range >= rangeMin && range < rangeMax;
-    // a part of the beam, if the sensor has no maximum range
+    // up to 10 m if the sensor has no maximum range
     const end = isHit ? range : Math.min(Number.isFinite(rangeMax) ? rangeMax : 10, 1000);
     const lines = isHit ? beams.hitLines : beams.missLines;
     lines.set([x * rangeMin, y * rangeMin, z * rangeMin, x * end, y * end, z * end], 6 * (isHit ? hits : i - hits));
@@ -44,7 +44,7 @@ export function beamsOf(scan: Message): Beams {
   };
 }
 
-/// The beams of a lidar and what they hit, in the frame of the sensor.
+/// The beams and hits of a lidar, drawn in the frame of the sensor.
 export class Scan {
   readonly object = new Group();
   private readonly rays = new LineSegments(
@@ -70,7 +70,7 @@ export class Scan {
     put(this.rays.geometry, beams.hitLines);
     put(this.misses.geometry, beams.missLines);
     put(this.hits.geometry, beams.hits);
-    // transparent, so that many rays do not look like a wall
+    // the more beams, the more transparent, so that they do not hide the scene
     this.rays.material.opacity = Math.min(Math.max(100 / (beams.hits.length / 3), 0.08), 0.5);
   }
 
@@ -82,7 +82,7 @@ export class Scan {
   }
 }
 
-/// Overwrites the content of a geometry, if it is large enough.
+/// Overwrites a geometry's attribute; allocates a larger one if the values do not fit.
 export function put(geometry: BufferGeometry, places: ArrayLike<number>, name = 'position'): void {
   const before = geometry.getAttribute(name);
   const count = places.length / 3;
@@ -91,7 +91,7 @@ export function put(geometry: BufferGeometry, places: ArrayLike<number>, name = 
     before.needsUpdate = true;
   } else {
     if (before !== undefined) geometry.dispose();
-    // leaves room for further growth
+    // half as large again, for further growth
     const room = before === undefined ? places.length : 3 * Math.ceil(places.length / 2);
     const made = new Float32Array(room);
     made.set(places);

@@ -14,18 +14,18 @@ interface Shape {
 interface ShownMessage {
   shape: Shape;
   message: Message;
-  /// The entity whose frame it is in, if given.
+  /// The entity in whose frame the message is, if the caller gave one.
   entity: number | undefined;
 }
 
-/// The frame of a message, from its header or from a scan's own field; empty: none.
+/// The name of a message's frame, from its header or a scan's `frame` field; empty if there is none.
 export function frameNameOf(message: Message): string {
   const data = (message['header']?.data ?? []) as { key?: string; value?: string[] }[];
   const frame = data.find(({ key }) => key === 'frame_id')?.value?.[0];
   return frame ?? (message['frame'] as string | undefined) ?? '';
 }
 
-/// The latest messages of sensors, at the sensors' poses.
+/// Overlays of sensors' latest messages, at the sensors' poses.
 export class Sensed {
   readonly group = new Group();
   private readonly entries = new Map<string, ShownMessage>();
@@ -35,8 +35,8 @@ export class Sensed {
     private readonly make: () => Shape,
   ) {}
 
-  /// @param message Null: removes it.
-  /// @param entity The entity whose frame it is in; if missing, the message names it.
+  /// @param message Null removes the overlay.
+  /// @param entity The entity in whose frame the message is; if missing, the frame named in the message.
   set(key: string, message: Message | null, entity?: number): void {
     let entry = this.entries.get(key);
     if (message === null) {
@@ -58,7 +58,7 @@ export class Sensed {
     this.place(entry);
   }
 
-  /// Moves all to the current poses of their sensors.
+  /// Moves all overlays to the current poses of their sensors.
   update(): void {
     for (const entry of this.entries.values()) this.place(entry);
   }

@@ -2,17 +2,17 @@ import { BufferGeometry, Line, LineBasicMaterial, type Vector3 } from 'three';
 
 import { put } from './scan.ts';
 
-// maximum number of points; beyond it the older half becomes coarser
+// limit of points; when it is reached, every other point of the older half is dropped
 const mostPoints = 4000;
-// [m]
+// smallest distance of two points [m]
 const smallestStep = 0.01;
 
-/// The past positions of an entity. It keeps the whole path: if it is long, every other point of its older half is
+/// The past positions of an entity. The whole path is kept: if it is long, every other point of its older half is
 /// dropped.
 export class Path {
   readonly points: number[] = [];
 
-  /// @returns Whether it is far enough from the last point to be added.
+  /// @returns Whether the position was added: it is far enough from the last one.
   add({ x, y, z }: Vector3): boolean {
     const end = this.points.length;
     const [lastX, lastY, lastZ] = this.points.slice(-3);
@@ -32,13 +32,13 @@ export class Path {
   }
 }
 
-/// The path of an entity, as a line.
+/// The path of an entity, drawn as a line.
 export class Trail {
   readonly object: Line;
   private readonly path = new Path();
 
   constructor(readonly entity: number) {
-    // each has its own colour
+    // a different hue for each entity, by steps of the golden angle
     const material = new LineBasicMaterial();
     material.color.setHSL((entity * 0.381966) % 1, 0.9, 0.5);
     this.object = new Line(new BufferGeometry(), material);

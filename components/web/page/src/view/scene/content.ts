@@ -13,20 +13,20 @@ import type {
   VisualMessage,
 } from '../messages.ts';
 
-/// Something with a pose in the world: a model, a link, a light, a sensor.
+/// An entity with a pose: a model, a link, a light or a sensor.
 export interface Place {
   id: number;
   name: string;
   kind: 'model' | 'link' | 'light' | 'sensor';
-  /// Id of the parent; 0 for the world.
+  /// Id of the parent entity; 0 for the world.
   parent: number;
-  /// The top-level model that it is or belongs to; 0 for none.
+  /// Id of the top-level model that contains it or is it; 0 if there is none.
   model: number;
   X_ParentPlace: Placement;
   X_WorldPlace: Placement;
 }
 
-/// Something in the frame of a place: a visual or a collision.
+/// A visual or collision, in the frame of a place.
 export interface Shape {
   id: number;
   name: string;
@@ -38,7 +38,7 @@ export interface Shape {
 export interface Visual extends Shape {
   material: MaterialMessage | undefined;
   castsShadows: boolean;
-  /// 1: invisible.
+  /// From 0 (opaque) to 1 (invisible).
   transparency: number;
 }
 
@@ -51,24 +51,24 @@ export interface Joint {
   id: number;
   name: string;
   type: number;
-  /// The child link; the joint's pose is in its frame.
+  /// Id of the child link, in whose frame the joint's pose is.
   place: number;
   X_PlaceJoint: Placement;
   axes: AxisMessage[];
 }
 
-/// A parsed scene message: one list per kind, with poses.
+/// A parsed scene message: lists by kind, with poses.
 export interface Content {
   places: Map<number, Place>;
   visuals: Visual[];
   collisions: Shape[];
   inertials: Inertial[];
   joints: Joint[];
-  /// Keyed by the ids of their places.
+  /// Keyed by the id of the light's place.
   lights: Map<number, LightMessage>;
 }
 
-/// Parses a scene message. Parts without an id are left out.
+/// Parses a scene message. Entities without an id are ignored.
 export function contentOf(scene: SceneMessage): Content {
   const content: Content = {
     places: new Map(),
@@ -90,7 +90,7 @@ function addPlace(
   content: Content,
 ): Place | null {
   const id = Number(from.id ?? 0);
-  // a duplicate id would cause cycles
+  // a second entity with the same id could make the tree cyclic
   if (id === 0 || content.places.has(id)) return null;
   const X_ParentPlace = placementOf(from.pose);
   const place: Place = {
@@ -167,7 +167,7 @@ function addVisuals(visuals: VisualMessage[] | undefined, place: Place, content:
   }
 }
 
-/// Whether a light is off: Fortress stores that in the message's header.
+/// Whether a light is off. Fortress stores that in the message's header, as `isLightOn`.
 function isOff(light: LightMessage): boolean {
   return light.header?.data?.some(({ key, value }) => key === 'isLightOn' && value?.[0] === '0') ?? false;
 }
@@ -177,20 +177,20 @@ function addLight(message: LightMessage, parent: Place | null, content: Content)
   if (place !== null && !isOff(message)) content.lights.set(place.id, message);
 }
 
-/// Whether a place is another one, or inside it.
+/// Whether `place` is `outer`, or is contained in it.
 export function isWithin(places: ReadonlyMap<number, Place>, place: number, outer: number): boolean {
   for (let id = place; id !== 0; id = places.get(id)?.parent ?? 0) if (id === outer) return true;
   return false;
 }
 
-/// The scoped name, such as "pong_bot::chassis::lidar", by which messages name frames.
+/// The scoped name of a place, such as "pong_bot::chassis::lidar": messages use it for frames.
 export function fullName(places: ReadonlyMap<number, Place>, id: number): string {
   const names: string[] = [];
   for (let place = places.get(id); place !== undefined; place = places.get(place.parent)) names.unshift(place.name);
   return names.join('::');
 }
 
-/// Direction of a light, in its own frame.
+/// Direction of a light, in the light's frame.
 export function lightDirection(light: LightMessage): Vector3 {
   const direction = vectorOf(light.direction);
   return direction.lengthSq() > 0 ? direction.normalize() : new Vector3(0, 0, -1);

@@ -76,7 +76,7 @@ test('a held model is shown where it is held, with its links', () => {
   places.hold(1, { position: new Vector3(10, 0, 0), rotation: new Quaternion() });
   assert.deepEqual(places.takeMoved().sort(), [1, 2]);
   assert.deepEqual(places.position(2)!.toArray(), [10, 0, 1]);
-  // it falls meanwhile
+  // meanwhile the simulation moves it
   places.apply(frame([1, 1, 0, -5], [2, 1, 0, -4]));
   assert.deepEqual(places.position(1)!.toArray(), [10, 0, 0]);
   assert.deepEqual(places.position(2)!.toArray(), [10, 0, 1]);

@@ -3,10 +3,10 @@ import { Matrix4, Vector3 } from 'three';
 import { type Placement, inverse, times } from '../maths/placement.ts';
 import { type Place, isWithin } from './content.ts';
 
-/// World poses of what has moved: 7 numbers each, position [m] and quaternion x, y, z, w.
+/// World poses of entities that have moved: position [m] and quaternion x, y, z, w each.
 export interface Frame {
   timeNs: bigint;
-  /// Changes when entities are added or removed: setScene has been called with that scene, or will be.
+  /// Changes when entities are added or removed. The scene of this revision may be set before or after the frame.
   revision: number;
   ids: Uint32Array;
   poses: Float32Array;
@@ -14,7 +14,7 @@ export interface Frame {
 
 const unscaled = new Vector3(1, 1, 1);
 
-// smaller motions, such as the trembling of a body at rest, are invisible [m]
+// smaller motions are ignored, such as those of a body at rest, because they are invisible [m]
 const tremble = 2e-6;
 
 function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, at: number): boolean {
@@ -22,11 +22,11 @@ function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, a
   return near(p.x, 0) && near(p.y, 1) && near(p.z, 2) && near(q.x, 3) && near(q.y, 4) && near(q.z, 5) && near(q.w, 6);
 }
 
-/// The poses of everything, and what has moved since the last call. A model held by its handles is shown where it is
-/// held, with everything in it; its poses from frames are kept for later.
+/// The poses of all places, and which have moved since the last call. A model dragged by its handles is shown at the
+/// pose of the handles, with everything in it; poses from frames are kept until it is released.
 export class Places {
   private places: ReadonlyMap<number, Place> = new Map();
-  /// Lights and sensors of links are not in frames: they move with their link.
+  /// Lights and sensors of links by link id: they are not in frames, and move with their link.
   private readonly riders = new Map<number, number[]>();
   private readonly moved = new Set<number>();
   private held: { model: number; X_WorldModel: Placement } | null = null;
@@ -42,7 +42,7 @@ export class Places {
     if (this.held && !places.has(this.held.model)) this.held = null;
   }
 
-  /// @returns Whether anything has moved visibly.
+  /// @returns Whether a place has moved visibly.
   apply(frame: Frame): boolean {
     const { ids, poses } = frame;
     const count = Math.min(ids.length, Math.floor(poses.length / 7));
@@ -51,7 +51,7 @@ export class Places {
       const place = this.places.get(ids[i]!);
       if (place === undefined) continue;
       const at = i * 7;
-      // a pose that is not finite is ignored
+      // ignores poses with infinities or NaN
       let sum = 0;
       for (let k = 0; k < 7; ++k) sum += poses[at + k]!;
       if (!Number.isFinite(sum)) continue;
@@ -64,7 +64,7 @@ export class Places {
     return hasMoved;
   }
 
-  /// Shows a model at another pose; null: at its own.
+  /// Shows a model at another pose; null: at the pose from frames.
   hold(model: number, X_WorldModel: Placement | null): void {
     const before = this.held?.model ?? 0;
     this.held = X_WorldModel === null ? null : { model, X_WorldModel };
@@ -73,7 +73,7 @@ export class Places {
     }
   }
 
-  /// Assumes that the held model is where it is shown, until a frame arrives.
+  /// Takes the pose at which the held model is shown as its own, until a frame with it arrives.
   settle(): void {
     const { held } = this;
     if (held === null) return;
@@ -86,7 +86,7 @@ export class Places {
     this.hold(held.model, null);
   }
 
-  /// The pose at which something is shown.
+  /// The pose at which a place is shown.
   shown(id: number): Placement | null {
     const place = this.places.get(id);
     if (place === undefined) return null;
@@ -100,7 +100,7 @@ export class Places {
     return times(held.X_WorldModel, times(inverse(model.X_WorldPlace), place.X_WorldPlace));
   }
 
-  /// @param into Overwritten and returned.
+  /// @param into Is overwritten and returned.
   matrix(id: number, into = new Matrix4()): Matrix4 | null {
     const shown = this.shown(id);
     return shown && into.compose(shown.position, shown.rotation, unscaled);
@@ -110,9 +110,9 @@ export class Places {
     return this.shown(id)?.position ?? null;
   }
 
-  /// @returns The ids of what has moved since the last call.
+  /// @returns The ids of places that have moved since the last call.
   takeMoved(): number[] {
-    // the parts of a held model move with it
+    // everything in a held model moves with it
     if (this.held && this.moved.size > 0) {
       const { model } = this.held;
       if (this.moved.has(model)) this.hold(model, this.held.X_WorldModel);

@@ -1,6 +1,6 @@
 import { type Place, isWithin } from './content.ts';
 
-/// The overlays, of one entity with its parts, or of all.
+/// Overlays that can be shown for one entity with its parts, or for all.
 export type Overlay =
   | 'frames'
   | 'joints'
@@ -20,7 +20,7 @@ export class Shown {
     if (entity === undefined) {
       if (on) this.ofAll.add(overlay);
       else this.ofAll.delete(overlay);
-      // switching off for all switches off each
+      // switching an overlay off for all also switches it off for each entity
       if (!on) this.ofEntities.delete(overlay);
       return;
     }

@@ -8,7 +8,7 @@ import { plainStyle, stageOf } from './stage_for_tests.ts';
 
 const box = { type: GeometryType.box, box: { size: { x: 2, y: 2, z: 2 } } };
 const lost = { type: GeometryType.mesh, mesh: { filename: '/lost.stl' } };
-// a triangle of a metre
+// an STL file with a triangle of 1 m
 const triangle = `solid t
 facet normal 0 0 1
 outer loop

@@ -17,14 +17,14 @@ import { Places } from './places.ts';
 
 export interface StageOptions {
   asset: FetchAsset;
-  /// Called when something new is to be drawn.
+  /// Called when a new frame has to be drawn.
   changed(): void;
   problem(text: string): void;
   /// Returns the style of the visuals of a place.
   styleOf(place: number): Style;
 }
 
-/// Everything visible to cameras, as three.js objects.
+/// The three.js scene: everything that is visible to cameras.
 export class Stage {
   readonly root = new Scene();
   readonly places = new Places();
@@ -56,7 +56,7 @@ export class Stage {
     for (const geometry of this.geometries.values()) geometry.dispose();
   }
 
-  /// Each problem is reported once.
+  /// Reports a problem, each text only once.
   private report(text: string): void {
     if (this.reported.has(text)) return;
     this.reported.add(text);
@@ -74,7 +74,7 @@ export class Stage {
   }
 
   private setSurroundings(scene: SceneMessage): void {
-    // the default is Fortress's grey
+    // without a background, the grey of Fortress
     const [red, green, blue] = scene.background === undefined ? [0.7, 0.7, 0.7] : rgbOf(scene.background);
     const background = new Color().setRGB(red, green, blue, SRGBColorSpace);
     this.root.background = background;
@@ -85,7 +85,7 @@ export class Stage {
     if (this.sky) this.root.add(this.sky);
   }
 
-  /// Creates all visuals again, with their current styles.
+  /// Creates all visuals anew, with their current styles.
   restyle(): void {
     ++this.generation;
     this.batches.clear();
@@ -150,7 +150,7 @@ export class Stage {
     return geometry;
   }
 
-  /// Passes on the appearance of a shape: at once if it is known, otherwise when its file has arrived.
+  /// Calls `add` with the parts of a shape's file, at once or when it has been loaded, or `addForm` for other shapes.
   private withParts(shape: Shape, owner: string, add: (parts: MeshPart[]) => void, addForm: (form: Form) => void): void {
     const { geometry } = shape;
     const form = formOf(geometry);
@@ -185,7 +185,7 @@ export class Stage {
     return known;
   }
 
-  /// The geometry of a shape in its link's frame, for overlays.
+  /// Calls `add` with the geometry of a shape and its pose in the link's frame, for overlays.
   withShape(shape: Shape, owner: string, add: (geometry: Mesh['geometry'], M_PlaceForm: Matrix4) => void): void {
     const scale = shape.geometry.mesh?.scale;
     const M_PlaceShape = matrixOf(shape.X_PlaceShape, scale === undefined ? undefined : vectorOf(scale));
@@ -195,8 +195,8 @@ export class Stage {
     });
   }
 
-  /// Moves everything to its current pose.
-  /// @returns The ids of what has moved.
+  /// Moves all objects to their current poses.
+  /// @returns The ids of places that have moved.
   moveMoved(): number[] {
     const ids = this.places.takeMoved();
     for (const id of ids) {
@@ -219,7 +219,7 @@ export class Stage {
     this.lamps.aimShadows(shadowRegion(casters, target));
   }
 
-  /// Bounding box of the visible parts of an entity, in a frame; a small box if there are none.
+  /// Bounding box of the visible parts of an entity, in the given frame; a small box if it has none.
   boundsOf(entity: number, X_WorldFrame = noPlacement()): Box3 {
     const M_FrameWorld = matrixOf(X_WorldFrame).invert();
     const box = new Box3();
@@ -237,7 +237,7 @@ export class Stage {
   }
 }
 
-/// The appearance of a surface in a file.
+/// The appearance of a part of a mesh file.
 function fromFile(paint: Paint | null, transparency: number): Paint {
   const base = paint ?? greyPaint;
   return { ...base, opacity: base.opacity * Math.min(Math.max(1 - transparency, 0), 1) };
@@ -249,7 +249,7 @@ function meshRequest(geometry: GeometryMessage): { filename: string; submesh: st
   return { filename, submesh, isCentered: centerSubmesh };
 }
 
-/// Key by which shapes from files share their geometry.
+/// A key that is equal for shapes with the same geometry from files.
 function fileKey(geometry: GeometryMessage): string {
   const request = meshRequest(geometry);
   return request ? Meshes.key(request) : JSON.stringify(geometry.heightmap);

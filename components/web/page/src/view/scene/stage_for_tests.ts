@@ -6,7 +6,7 @@ import { Stage } from './stage.ts';
 
 export const plainStyle: Readonly<Style> = { wireframe: false, transparent: false };
 
-/// A stage without files, whose problems are ignored.
+/// A stage without files, which ignores problems.
 export function stageOf(scene: SceneMessage): Stage {
   const stage = new Stage({
     asset: () => Promise.reject(new Error('no files')),

@@ -1,10 +1,10 @@
 import type { Placement } from '../maths/placement.ts';
 import type { Places } from '../scene/places.ts';
 
-// after release, a new pose arrives within this time, or never, as for a light [ms]
+// time after the release within which a new pose should arrive; for a light there is none [ms]
 const settleTime = 700;
 
-/// Shows a model at the pose of its handles, until the simulation has moved it there.
+/// Shows a model at the pose of its handles until the simulation has moved it there.
 export class Drag {
   private entity: number | null = null;
   private isLeft = false;
@@ -15,7 +15,7 @@ export class Drag {
     private readonly changed: () => void,
   ) {}
 
-  /// @param left Settles when the simulation has answered; null: the model is still held.
+  /// @param left Settles when the simulation has responded; null while the model is still dragged.
   move(entity: number, X_WorldModel: Placement, left: Promise<unknown> | null): void {
     clearTimeout(this.timer);
     this.entity = entity;
@@ -34,7 +34,7 @@ export class Drag {
     }, refused);
   }
 
-  /// New poses of these entities have arrived.
+  /// To be called when a frame with poses of these entities has arrived.
   received(ids: Uint32Array): void {
     if (this.isLeft && this.entity !== null && ids.includes(this.entity)) this.end(this.entity);
   }

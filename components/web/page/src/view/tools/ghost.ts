@@ -5,19 +5,19 @@ import type { ModelMessage } from '../messages.ts';
 import { contentOf } from '../scene/content.ts';
 import type { Stage } from '../scene/stage.ts';
 
-/// First intersection of a ray with the scene, or with the ground at z = 0; null if there is none, or it is too far
+/// The first intersection of a ray with the scene, or with the plane z = 0; null if there is none, or it is too far
 /// away.
 export function groundUnder(ray: Raycaster, met: Vector3 | null): Vector3 | null {
   const point = met ?? ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
   return point === null || point.distanceTo(ray.ray.origin) > 500 ? null : point;
 }
 
-/// Height of an object's frame above its lowest point [m].
+/// Height of an object's origin above its lowest point [m].
 export function heightAbove(bounds: Box3): number {
   return bounds.isEmpty() ? 0 : Math.max(-bounds.min.z, 0);
 }
 
-/// A model to be placed: it follows the pointer and is transparent.
+/// A preview of a model that will be inserted: transparent, at the position of the pointer.
 export class Ghost {
   readonly object = new Group();
   private readonly material = new MeshLambertMaterial({
@@ -27,7 +27,7 @@ export class Ghost {
   private height = 0;
 
   constructor(stage: Stage, model: ModelMessage, changed: () => void) {
-    // ids of something that does not exist yet
+    // the model does not exist yet, so its parts have no ids
     const content = contentOf({ model: [withIds(model)] });
     const [root] = content.places.values();
     const X_WorldModel = root?.X_WorldPlace ?? noPlacement();
@@ -36,7 +36,7 @@ export class Ghost {
     const inner = new Group();
     this.object.add(inner);
     this.object.visible = false;
-    // for invisible objects such as lights, a ball marks the place
+    // a ball marks the position of objects without visuals, such as lights
     if (content.visuals.length === 0) inner.add(new Mesh(new SphereGeometry(0.1), this.material));
     for (const visual of content.visuals) {
       const place = content.places.get(visual.place);
@@ -55,7 +55,7 @@ export class Ghost {
     }
   }
 
-  /// Places it on a point.
+  /// Moves the preview so that it stands on a point; null hides it.
   put(point: Vector3 | null): void {
     this.object.visible = point !== null;
     if (point === null) return;
@@ -63,7 +63,7 @@ export class Ghost {
     this.object.quaternion.copy(this.rotation);
   }
 
-  /// Its current pose; null: none.
+  /// Its current pose; null if it is hidden.
   get placement(): Placement | null {
     if (!this.object.visible) return null;
     return { position: this.object.position.clone(), rotation: this.object.quaternion.clone() };
@@ -74,7 +74,7 @@ export class Ghost {
   }
 }
 
-/// A copy of a model whose parts have ids, because places are identified by id.
+/// A copy of a model in which all parts have ids, because `Place`s are identified by id.
 function withIds(model: ModelMessage, next = { id: 1 }): ModelMessage {
   return {
     ...model,

@@ -10,21 +10,21 @@ const snapLength = 1;
 const snapAngle = Math.PI / 4;
 
 export interface HandlesOptions {
-  /// Called when they have been dragged; during: they are still held.
+  /// Called when the handles have been dragged; during: the drag continues.
   moved(X_WorldHandles: Placement, during: boolean): void;
-  /// Called when they start or stop using the pointer.
+  /// Called when the handles start or stop using the pointer.
   busy(isBusy: boolean): void;
   changed(): void;
 }
 
-/// Arrows to move and rings to rotate the selected entity.
+/// Arrows to move and rings to rotate the selected entity (TransformControls).
 export class Handles {
   private readonly controls: TransformControls;
   private readonly carrier = new Object3D();
   private tool: Tool = 'select';
   private isWanted = false;
 
-  /// Create it before other listeners of the element, so that it can claim the pointer first.
+  /// Must be created before other listeners of the element are added, so that the handles get pointer events first.
   constructor(camera: Camera, element: HTMLElement, root: Scene, options: HandlesOptions) {
     this.controls = new TransformControls(camera, element);
     this.controls.setSize(0.8);
@@ -43,7 +43,7 @@ export class Handles {
     return { position: this.carrier.position.clone(), rotation: this.carrier.quaternion.clone() };
   }
 
-  /// Whether they snap to whole metres and eighths of a turn, like Fortress's.
+  /// Whether the handles snap to whole metres and eighths of a turn, like those of Fortress.
   setSnapping(isOn: boolean): void {
     this.controls.setTranslationSnap(isOn ? snapLength : null);
     this.controls.setRotationSnap(isOn ? snapAngle : null);
@@ -54,7 +54,7 @@ export class Handles {
     this.show();
   }
 
-  /// Their pose; null: hidden. While they are dragged, nobody else moves them.
+  /// Moves the handles to a pose; null hides them. While the user drags them, other poses are ignored.
   put(X_WorldHandles: Placement | null): void {
     if (this.isDragged && X_WorldHandles !== null) return;
     this.isWanted = X_WorldHandles !== null;

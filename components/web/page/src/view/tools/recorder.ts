@@ -9,13 +9,13 @@ export class Recorder {
   private readonly pieces: Blob[] = [];
   private readonly recorder: MediaRecorder;
 
-  /// @throws If this browser cannot record video.
+  /// @throws Error if this browser can't record video.
   constructor(canvas: HTMLCanvasElement) {
     const mimeType = kinds.find((kind) => typeof MediaRecorder !== 'undefined' && MediaRecorder.isTypeSupported(kind));
     if (mimeType === undefined) throw new Error('this browser cannot record WebM videos');
     this.recorder = new MediaRecorder(canvas.captureStream(rate), { mimeType });
     this.recorder.addEventListener('dataavailable', ({ data }) => this.pieces.push(data));
-    // one piece per second, so that little is lost
+    // data is passed on once a second, so that little is lost on a failure
     this.recorder.start(1000);
   }
 
