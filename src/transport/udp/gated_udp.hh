@@ -43,7 +43,7 @@ struct UdpGate {
   /// Whether a list of the system's sockets has contained one of `ports`. Until then the lists are not used: a system
   /// that does not list these does not list others either.
   bool isTold = false;
-  /// Filter what is sent to discovery ports of this machine.
+  /// These two filter what is sent to discovery ports of this machine.
   Announcements announcements;
   Heartbeats heartbeats;
   /// Filters what is received.

@@ -62,7 +62,7 @@ export interface InertiaBox {
   rotation: Quaternion;
 }
 
-/// @returns Null for moments that violate the triangle inequality: no body has them.
+/// @returns Null if the mass is not positive, or the moments violate the triangle inequality, as those of no body do.
 export function inertiaBox(inertial: InertialMessage): InertiaBox | null {
   const { mass = 0, ixx = 0, iyy = 0, izz = 0, ixy = 0, ixz = 0, iyz = 0 } = inertial;
   if (!(mass > 0)) return null;
