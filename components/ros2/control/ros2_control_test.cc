@@ -126,6 +126,9 @@ TEST(Ros2Control, SaysWhatIsMissing) {
   EXPECT_EQ(
       RunningWorld::complaintsAbout(modelWith(plugin("<hold_joints>false</hold_joints>"))),
       Words{"gz_ros2_control-system of m is left out: there is no <ros2_control> that lists joints of model 'm'"});
+  EXPECT_EQ(RunningWorld::complaintsAbout(
+                modelWith(plugin("<ros2_control><joint name='hinge'/></ros2_control><parameters></parameters>"))),
+            Words{"<parameters> is empty"});
   EXPECT_EQ(
       RunningWorld::complaintsAbout(modelWith(
           plugin("<ros2_control><joint name='hinge'/><joint name='hinges'/></ros2_control><parameters>none.yaml"
