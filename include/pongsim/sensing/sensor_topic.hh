@@ -22,7 +22,8 @@ class SensorMetrics;
 }  // namespace sim
 
 /// Topic and schedule of a sensor: its topic, its rate in simulated time, and the service that changes the rate
-/// (`TOPIC/set_rate`, ignition.msgs.Double). With `<enable_metrics>` it also publishes the actual rate
+/// (`TOPIC/set_rate`, ignition.msgs.Double). Several sensors may have the same topic; the first of them has the
+/// service, and a warning says so. With `<enable_metrics>` it also publishes the actual rate
 /// (`TOPIC/performance_metrics`, ignition.msgs.PerformanceSensorMetrics, with each reading from the second on).
 class PONGSIM_API SensorTopic {
  public:

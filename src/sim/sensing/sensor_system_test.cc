@@ -182,6 +182,27 @@ TEST_F(SensorSystemTest, GoesOnFromASavedState) {
   EXPECT_EQ(measured(), next);
 }
 
+TEST_F(SensorSystemTest, PublishesSeveralSensorsOnOneTopic) {
+  const auto onTopic = [](const std::string& model) {
+    return "<model name='" + model + "'><static>true</static><link name='l'><sensor name='s' type='height'>" +
+           "<topic>/shared</topic></sensor></link></model>";
+  };
+  start(onTopic("a"), std::make_unique<HeightSystem>());
+  std::vector<std::string> frames;
+  subscriptions_.push_back(simulation_->transport().node().subscribe<ignition::msgs::Vector3d>(
+      "/shared",
+      [&frames](const ignition::msgs::Vector3d& message) { frames.push_back(message.header().data(0).value(0)); }));
+  Diagnostics diagnostics;
+  testing::internal::CaptureStderr();
+  ASSERT_TRUE(simulation_->insertCopy(*simulation_->world().model("a"), {.name = "b"}, diagnostics));
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(
+                "the rate of sensor 'b::l::s' can't be changed: service '/shared/set_rate' is already offered"),
+            std::string::npos);
+  simulation_->step();
+  simulation_->transport().dispatch();
+  EXPECT_EQ(frames, (std::vector<std::string>{"a::l::s", "b::l::s"}));
+}
+
 TEST_F(SensorSystemTest, MakesSensorsOfModelsThatAreInsertedAndEndsThoseOfRemovedOnes) {
   start("", std::make_unique<HeightSystem>());
   listen("a");

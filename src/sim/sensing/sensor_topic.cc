@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "msgs/control/control_messages.hh"
+#include "pongsim/log.hh"
 #include "pongsim/sensing/sensor_topic.hh"
 #include "sim/sensing/sensor_metrics.hh"
 
@@ -27,17 +28,22 @@ SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::str
       period_(messagePeriod(rate_)) {
   try {
     publisher_ = node.advertise(name_ + std::string(behind), type);
-    rateService_ = node.serve(name_ + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
-                              [this](const Message& request, Message&) {
-                                setRate(msgs::number(request));
-                                return true;
-                              });
     if (sensor.hasMetrics()) metrics_ = std::make_unique<sim::SensorMetrics>(sensor, name_, node);
   } catch (const std::invalid_argument& error) {
     throw Error({Severity::kError,
                  sensor.sdf().position,
                  "sensor '" + sensor.scopedName() + "' can't publish on '" + name_ + "': " + error.what(),
                  {}});
+  }
+  try {
+    rateService_ = node.serve(name_ + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
+                              [this](const Message& request, Message&) {
+                                setRate(msgs::number(request));
+                                return true;
+                              });
+  } catch (const std::invalid_argument& error) {
+    // such as that of a model's copy, which publishes on the same topic, as in Fortress
+    Logger("sensors").warning("the rate of sensor '" + sensor.scopedName() + "' can't be changed: " + error.what());
   }
 }
 
