@@ -57,7 +57,7 @@ class Combinations : public testing::TestWithParam<Kind> {
       // shows where a crash was
       std::cout << nameOf(operation) << "; " << std::flush;
       walk.make(operation);
-      if (HasFatalFailure() || HasNonfatalFailure()) return;
+      if (HasFailure()) return;
     }
     std::cout << std::endl;
   }
@@ -107,6 +107,14 @@ TEST_P(Combinations, OfEachOperationAfterEach) {
   walk(walked, allPairs());
   walked.expectReadings();
   EXPECT_TRUE(simulation->finish());
+}
+
+TEST_P(Combinations, OfThreeOperationsAfterAReset) {
+  const auto simulation = load(true);
+  ASSERT_NE(simulation, nullptr);
+  Walk walked(kind(), *simulation);
+  walk(walked, {Operation::kListen});
+  walk(walked, allTriples());
 }
 
 TEST_P(Combinations, InAWorldThatWasEmpty) {

@@ -9,8 +9,8 @@ namespace pongsim::test {
 
 std::string_view nameOf(Operation operation) {
   constexpr std::array<std::string_view, kOperations> kNames = {
-      "insert", "copy",   "remove the first", "remove all", "move",    "reset", "save", "restore",
-      "leave",  "return", "listen",           "deafen",     "command", "light", "pause"};
+      "insert", "copy",   "insert within", "remove the first", "remove all", "move",  "reset",  "save", "restore",
+      "leave",  "return", "listen",        "deafen",           "command",    "light", "attach", "pause"};
   return kNames.at(static_cast<std::size_t>(operation));
 }
 
@@ -26,6 +26,19 @@ std::vector<Operation> allPairs() {
   }
   // it is a cycle
   sequence.push_back(sequence.front());
+  return sequence;
+}
+
+std::vector<Operation> allTriples() {
+  using enum Operation;
+  constexpr std::array kChanges = {kInsert, kCopy,    kInsertWithin, kRemoveFirst, kRemoveAll, kMove,
+                                   kSave,   kRestore, kLeave,        kReturn,      kAttach};
+  std::vector<Operation> sequence;
+  for (const Operation first : kChanges) {
+    for (const Operation second : kChanges) {
+      for (const Operation third : kChanges) sequence.insert(sequence.end(), {kReset, first, second, third});
+    }
+  }
   return sequence;
 }
 

@@ -11,6 +11,8 @@ enum class Operation {
   kInsert,
   /// Inserts a copy of the first model.
   kCopy,
+  /// Inserts the first model under another name, its topics in a namespace.
+  kInsertWithin,
   kRemoveFirst,
   kRemoveAll,
   /// Moves each model.
@@ -28,14 +30,19 @@ enum class Operation {
   kCommand,
   /// Inserts a light or, if it is there, removes it.
   kLight,
+  /// Attaches the last model to the first one or, if that was done, detaches it.
+  kAttach,
   /// Steps while time stands still.
   kPause,
 };
-inline constexpr int kOperations = 15;
+inline constexpr int kOperations = 17;
 
 std::string_view nameOf(Operation operation);
 
 /// @return The shortest sequence in which each operation follows each, itself included (a de Bruijn sequence).
 std::vector<Operation> allPairs();
+
+/// @return All sequences of three operations that change which models there are or where, each after a reset.
+std::vector<Operation> allTriples();
 
 }  // namespace pongsim::test

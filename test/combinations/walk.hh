@@ -27,8 +27,10 @@ class Walk {
  private:
   /// What was saved, and what followed.
   struct Saved {
-    std::vector<std::byte> state;
-    std::set<ModelId> models;
+    std::vector<std::byte> state = {};
+    std::vector<ModelId> ids = {};
+    /// In the order of `ids`, and what each is a copy of.
+    std::vector<std::string> names = {}, origins = {};
     std::uint64_t hash = 0;
     std::uint64_t later = 0;
   };
@@ -36,6 +38,7 @@ class Walk {
   void change(Operation operation);
   void insert();
   void copy();
+  void insertWithin();
   void remove(bool isFirstOnly);
   void move();
   void reset();
@@ -45,12 +48,16 @@ class Walk {
   void listen();
   void command();
   void changeLight();
+  void attach();
 
+  /// @return Whether a joint of `attach` holds.
+  bool isAttached() const;
   void step();
   void settle();
+  /// Adds which models there are now.
+  void describeModels(Saved& saved);
   void noteModels();
   void noteTopics();
-  std::set<ModelId> modelIds();
   void expectStatesAfter(Operation operation);
   void expectHandles();
   /// @return The topics of the sensors that are there.
@@ -68,6 +75,9 @@ class Walk {
   Saved saved_;
   /// All top-level models that there are or that are set aside.
   std::map<ModelId, Model> models_;
+  std::map<ModelId, std::string> names_;
+  /// Which of the kind's models an inserted one is.
+  std::map<ModelId, std::string> origins_;
   /// The topics on which systems have published, with their types.
   std::map<std::string, std::string> topics_;
   /// Those that are, or were, subscribed to.
@@ -76,6 +86,8 @@ class Walk {
   std::map<std::string, int> heard_;
   std::vector<Subscription> subscriptions_;
   std::map<std::string, Publisher> publishers_;
+  /// Made by `attach`.
+  std::vector<Joint> joints_;
 };
 
 }  // namespace pongsim::test
