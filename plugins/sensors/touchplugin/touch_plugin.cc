@@ -2,6 +2,7 @@
 #include <ignition/msgs/empty.pb.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -72,11 +73,18 @@ class TouchPlugin : public System {
              "add a <sensor type=\"contact\"> to a link and name the collision in it");
     }
 
-    service_ = node_->serve<ignition::msgs::Boolean, ignition::msgs::Empty>(
-        cleanTopic(space + "/enable"), [this](const ignition::msgs::Boolean& request, ignition::msgs::Empty&) {
-          setEnabled(request.data());
-          return true;
-        });
+    try {
+      service_ = node_->serve<ignition::msgs::Boolean, ignition::msgs::Empty>(
+          cleanTopic(space + "/enable"), [this](const ignition::msgs::Boolean& request, ignition::msgs::Empty&) {
+            setEnabled(request.data());
+            return true;
+          });
+    } catch (const std::invalid_argument& error) {
+      // such as that of a model's copy, which reports on the same topic, as in Fortress
+      context.diagnostics.warning(
+          sdf.child("namespace")->position,
+          "model '" + context.model->scopedName() + "' can't be enabled or disabled: " + error.what());
+    }
     setEnabled(startsEnabled_);
   }
 

@@ -123,6 +123,20 @@ TEST_F(TouchPluginTest, CaresForItsTargetOnly) {
             std::vector<std::string>{"no collision in the world has 'cube' in its name"});
 }
 
+TEST_F(TouchPluginTest, ReportsTheTouchesOfACopyToo) {
+  start(worldWith(kParameters));
+  Diagnostics diagnostics;
+  testing::internal::CaptureStderr();
+  ASSERT_TRUE(simulation_->insertCopy(*simulation_->world().model("plate"), {.name = "copy"}, diagnostics));
+  std::string said = testing::internal::GetCapturedStderr();
+  for (const Diagnostic& diagnostic : diagnostics.all()) said += diagnostic.message;
+  EXPECT_NE(said.find("model 'copy' can't be enabled or disabled: service '/plate/enable' is already offered"),
+            std::string::npos)
+      << said;
+  simulation_->step(200);
+  EXPECT_EQ(received_.size(), 2U);
+}
+
 TEST(TouchPluginParameters, AreRefusedWithTheReason) {
   const std::string silent = "sensor 's' (contact) publishes nothing: no plugin of the world simulates it";
   EXPECT_EQ(complaintsAbout(worldWith("<time>1</time><namespace>n</namespace>")),
