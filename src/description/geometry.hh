@@ -44,6 +44,13 @@ struct Capsule {
   bool operator==(const Capsule&) const = default;
 };
 
+/// Its axis is along z, its tip at half its length above its frame, its base at half below [m].
+struct Cone {
+  double radius = 1;
+  double length = 1;
+  bool operator==(const Cone&) const = default;
+};
+
 /// Centred on its frame. Radii along x, y, z [m].
 struct Ellipsoid {
   Vector3 radii{1, 1, 1};
@@ -168,6 +175,6 @@ struct Image {
 };
 
 using Geometry =
-    std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, Heightmap, Polyline, Image>;
+    std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, Heightmap, Polyline, Image, Cone>;
 
 }  // namespace pongsim::description

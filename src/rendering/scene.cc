@@ -46,6 +46,9 @@ struct MakeBodies {
   Bodies operator()(const description::Cylinder& cylinder) const {
     return {{shape("cylinder", cylinderSurface), {}, {cylinder.radius, cylinder.radius, cylinder.length}}};
   }
+  Bodies operator()(const description::Cone& cone) const {
+    return {{shape("cone", coneSurface), {}, {cone.radius, cone.radius, cone.length}}};
+  }
   Bodies operator()(const description::Capsule& capsule) const {
     const std::string name = "capsule " + std::to_string(capsule.radius) + " " + std::to_string(capsule.length);
     return {{shape(name, [&capsule] { return capsuleSurface(capsule); })}};

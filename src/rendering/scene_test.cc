@@ -65,6 +65,17 @@ TEST_F(Pictures, ShowActorsWhereTheyGo) {
   EXPECT_TRUE(world.scene().actorBounds("b").isEmpty());
 }
 
+TEST_F(Pictures, ShowConesWithTheTipUp) {
+  DrawnWorld world;
+  world.addShining(description::Cone{1, 2}, {5, 0, 0}, {});
+  world.start();
+  const std::vector<float> depths = world.depths(view(9, 9, 10));
+  // the middle row, and those above and below, on lines z = x / 10 and z = -x / 10: x = 5 - (1 - z) / 2
+  EXPECT_NEAR(depths[40], 4.5, 1e-4);
+  EXPECT_NEAR(depths[31], 4.5 / 0.95, 1e-4);
+  EXPECT_NEAR(depths[49], 4.5 / 1.05, 1e-4);
+}
+
 TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {
   // also far from the world's origin
   for (const Vector3& away : {Vector3(0, 0, 0), Vector3(20'000, -10'000, 50)}) {

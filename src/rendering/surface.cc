@@ -129,6 +129,15 @@ Surface cylinderSurface() {
   return surface;
 }
 
+Surface coneSurface() {
+  Surface surface;
+  // the tip has a normal for each sector
+  const double across = 1 / std::sqrt(2);
+  addTurned({{0, 0.5, across, across}, {1, -0.5, across, across}}, surface);
+  addDisc(-0.5, false, surface);
+  return surface;
+}
+
 Surface capsuleSurface(const description::Capsule& capsule) {
   std::vector<ProfilePoint> profile;
   addArc(capsule.radius, capsule.length / 2, 0, pi / 2, kRings / 2, profile);

@@ -28,6 +28,8 @@ Surface boxSurface();
 Surface sphereSurface();
 /// Of radius 1, from -0.5 to 0.5 along z.
 Surface cylinderSurface();
+/// Of radius 1, its tip at 0.5 and its base at -0.5 along z.
+Surface coneSurface();
 Surface capsuleSurface(const description::Capsule& capsule);
 /// From -0.5 to 0.5 along x and y, visible from above.
 Surface planeSurface();

@@ -22,6 +22,7 @@ struct MakeLook {
   Look operator()(const description::Sphere& sphere) const { return {Shape(sphere)}; }
   Look operator()(const description::Cylinder& cylinder) const { return {Shape(cylinder)}; }
   Look operator()(const description::Capsule& capsule) const { return {Shape(capsule)}; }
+  Look operator()(const description::Cone& cone) const { return {Shape(cone)}; }
   Look operator()(const description::Ellipsoid& ellipsoid) const { return {Shape(ellipsoid)}; }
 
   // as large as its visual, as in Fortress

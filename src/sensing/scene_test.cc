@@ -100,6 +100,16 @@ class RandomBodies {
     const double middle = normal.z() > 0 ? capsule.length / 2 : -capsule.length / 2;
     return {capsule.radius * normal + middle * Vector3::UnitZ(), normal};
   }
+  SurfacePoint on(const description::Cone& cone) {
+    const double angle = between(-3, 3);
+    const Vector3 side(std::cos(angle), std::sin(angle), 0);
+    const double share = between(0, 1);
+    if (random_() % 2 == 0) {
+      return {share * cone.radius * side - cone.length / 2 * Vector3::UnitZ(), -Vector3::UnitZ()};
+    }
+    return {share * cone.radius * side + (0.5 - share) * cone.length * Vector3::UnitZ(),
+            (cone.length * side + cone.radius * Vector3::UnitZ()).normalized()};
+  }
   SurfacePoint on(const description::Ellipsoid& ellipsoid) {
     const Vector3 unit = direction();
     return {unit.cwiseProduct(ellipsoid.radii), unit.cwiseQuotient(ellipsoid.radii).normalized()};
@@ -149,6 +159,7 @@ TEST(BeamScene, MeetsBoxesWhereTheFormulaSays) { expectRangesNearAndFar(descript
 TEST(BeamScene, MeetsSpheresWhereTheFormulaSays) { expectRangesNearAndFar(description::Sphere{0.7}); }
 TEST(BeamScene, MeetsCylindersWhereTheFormulaSays) { expectRangesNearAndFar(description::Cylinder{0.4, 2}); }
 TEST(BeamScene, MeetsCapsulesWhereTheFormulaSays) { expectRangesNearAndFar(description::Capsule{0.4, 2}); }
+TEST(BeamScene, MeetsConesWhereTheFormulaSays) { expectRangesNearAndFar(description::Cone{0.4, 2}); }
 TEST(BeamScene, MeetsEllipsoidsWhereTheFormulaSays) { expectRangesNearAndFar(description::Ellipsoid{{1, 2, 0.3}}); }
 TEST(BeamScene, MeetsPlanesWhereTheFormulaSays) {
   expectRangesNearAndFar(description::Plane{Vector3(1, -2, 0.5).normalized(), {3, 5}});

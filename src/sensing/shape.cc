@@ -49,6 +49,28 @@ std::optional<Passage> tubePassage(double radius, double length, const Line& lin
   return found;
 }
 
+/// Of a double cone with its tip at zero and the given slope of its radius along z: the half on the side of -z.
+/// @param origin Where the line begins, near the cone.
+std::optional<Passage> conePassage(double slope, const Vector3& origin, const Vector3& direction) {
+  // x^2 + y^2 <= (slope z)^2, in the line's parameter t: a t^2 + 2 b t + c <= 0
+  const auto product = [slope](const Vector3& u, const Vector3& v) {
+    return u.x() * v.x() + u.y() * v.y() - slope * slope * u.z() * v.z();
+  };
+  const double a = product(direction, direction), b = product(origin, direction), c = product(origin, origin);
+  const double rest = b * b - a * c;
+  // a steep line always meets the double cone, whatever rounding says of one through the tip
+  if (rest < 0 && !(a < 0)) return std::nullopt;
+  // without cancellation; one root is infinite where the line is parallel to the side
+  const double sum = -(b + std::copysign(std::sqrt(std::max(rest, 0.0)), b));
+  if (sum == 0 && a == 0) return std::nullopt;
+  const double first = sum / a, second = sum != 0 ? c / sum : first;
+  const auto [lower, upper] = std::minmax(first, second);
+  if (a > 0) return Passage{lower, upper};
+  // a steep line passes through both halves: below the tip before or after it is in the other one
+  const double finite = a < 0 ? (direction.z() > 0 ? lower : upper) : second;
+  return direction.z() > 0 ? Passage{-kNowhere, finite} : Passage{finite, kNowhere};
+}
+
 struct FindPassage {
   const Line& line;
 
@@ -72,6 +94,17 @@ struct FindPassage {
       found = found ? Passage{std::min(found->enter, cap->enter), std::max(found->leave, cap->leave)} : *cap;
     }
     return found;
+  }
+
+  std::optional<Passage> operator()(const description::Cone& cone) const {
+    // begins at the point nearest to the middle, which avoids cancellation when the origin is far away
+    const double nearest = -line.origin.dot(line.direction) / line.direction.squaredNorm();
+    const Vector3 origin = line.origin + nearest * line.direction;
+    const Vector3 fromTip = origin - Vector3(0, 0, cone.length / 2);
+    std::optional<Passage> found = conePassage(cone.radius / cone.length, fromTip, line.direction);
+    const auto between = slabPassage(cone.length / 2, origin.z(), line.direction.z());
+    if (!found || !between || !narrow(*found, *between)) return std::nullopt;
+    return Passage{nearest + found->enter, nearest + found->leave};
   }
 
   std::optional<Passage> operator()(const description::Ellipsoid& ellipsoid) const {
@@ -98,6 +131,7 @@ struct FindHalfSize {
   Vector3 operator()(const description::Capsule& capsule) const {
     return {capsule.radius, capsule.radius, capsule.length / 2 + capsule.radius};
   }
+  Vector3 operator()(const description::Cone& cone) const { return {cone.radius, cone.radius, cone.length / 2}; }
   Vector3 operator()(const description::Ellipsoid& ellipsoid) const { return ellipsoid.radii; }
   Vector3 operator()(const Sheet& sheet) const { return {sheet.half.x(), sheet.half.y(), 0}; }
 };

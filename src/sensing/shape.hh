@@ -33,7 +33,7 @@ struct Sheet {
 
 /// A body with a surface given by a formula.
 using Shape = std::variant<description::Box, description::Sphere, description::Cylinder, description::Capsule,
-                           description::Ellipsoid, Sheet>;
+                           description::Ellipsoid, description::Cone, Sheet>;
 
 /// @param line In the frame of the shape.
 /// @return Nothing if the line misses the shape.

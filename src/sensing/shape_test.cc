@@ -26,6 +26,7 @@ TEST(Shape, TellsWhereALineEntersAndLeaves) {
   const description::Box box{{2, 4, 6}};
   const description::Cylinder cylinder{1, 4};
   const description::Capsule capsule{1, 4};
+  const description::Cone cone{1, 4};
   const Line along{{-5, 0, 0}, {1, 0, 0}}, down{{0, 0, 10}, {0, 0, -1}};
   const PassageCase cases[] = {
       {"box", box, along, Passage{4, 6}},
@@ -42,6 +43,15 @@ TEST(Shape, TellsWhereALineEntersAndLeaves) {
       {"capsule, side", capsule, along, Passage{4, 6}},
       {"capsule, ends", capsule, down, Passage{7, 13}},
       {"ellipsoid", description::Ellipsoid{{1, 2, 3}}, down, Passage{7, 13}},
+      {"cone, side", cone, along, Passage{4.5, 5.5}},
+      {"cone, along its axis", cone, down, Passage{8, 12}},
+      {"cone, upwards along its axis", cone, {{0, 0, -10}, {0, 0, 1}}, Passage{8, 12}},
+      {"cone, along its axis beside the tip", cone, {{0.5, 0, 10}, {0, 0, -1}}, Passage{10, 12}},
+      {"cone, above its tip", cone, {{-5, 0, 2.1}, {1, 0, 0}}, std::nullopt},
+      {"cone, where its mirror image would be", cone, {{-5, 0, 3}, {1, 0, 0}}, std::nullopt},
+      {"cone, below it", cone, {{-5, 0, -2.1}, {1, 0, 0}}, std::nullopt},
+      {"cone, parallel to its side", cone, {{-0.5, 0, -2}, {0.25, 0, 1}}, Passage{0, 3}},
+      {"cone, parallel to its side, downwards", cone, {{-0.5, 0, -2}, {-0.25, 0, -1}}, Passage{-3, 0}},
       {"sheet, from its outside", Sheet{{1, 1}}, down, Passage{10, kNowhere}},
       {"sheet, from its inside", Sheet{{1, 1}}, {{0, 0, -3}, {0, 0, 1}}, Passage{-kNowhere, 3}},
       {"sheet, beside it", Sheet{{1, 1}}, {{1.1, 0, 10}, {0, 0, -1}}, std::nullopt},

@@ -85,6 +85,9 @@ std::string geometryText(const im::Geometry& shape, const PlayedFiles& files) {
     case im::Geometry::CYLINDER:
       return element("cylinder", element("radius", numbers(shape.cylinder().radius())) +
                                      element("length", numbers(shape.cylinder().length())));
+    case im::Geometry::CONE:
+      return element("cone", element("radius", numbers(shape.cone().radius())) +
+                                 element("length", numbers(shape.cone().length())));
     case im::Geometry::CAPSULE:
       return element("capsule", element("radius", numbers(shape.capsule().radius())) +
                                     element("length", numbers(shape.capsule().length())));

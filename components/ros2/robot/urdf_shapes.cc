@@ -66,7 +66,7 @@ struct ShapesOf {
   }
   std::vector<UrdfShape> operator()(const TriangleShape&) const {
     if (mesh) return meshOf(mesh->file.string(), mesh->submesh, mesh->scale, warning);
-    warning = "is a polyline or a heightmap, which URDF does not have: it is left out";
+    warning = "is a cone, a polyline or a heightmap, which URDF does not have: it is left out";
     return {};
   }
 };
@@ -85,6 +85,9 @@ std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, st
       return {cylinderOf(geometry.cylinder().radius(), geometry.cylinder().length())};
     case Kind::CAPSULE:
       return capsuleOf(geometry.capsule().radius(), geometry.capsule().length());
+    case Kind::CONE:
+      warning = "is a cone, which URDF does not have: a cylinder around it is used";
+      return {cylinderOf(geometry.cone().radius(), geometry.cone().length())};
     case Kind::ELLIPSOID:
       return ellipsoidOf(asVector(geometry.ellipsoid().radii()), warning);
     case Kind::PLANE: {

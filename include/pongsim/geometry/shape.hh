@@ -49,7 +49,7 @@ struct PlaneShape {
   Vector3 normal = Vector3::UnitZ();
 };
 
-/// The triangles of a mesh, a polyline or a heightmap.
+/// The triangles of a mesh, a polyline, a heightmap or a cone, which has 48 sides here.
 struct TriangleShape {
   /// Vertices; multiplied by `scale` they are in the collision frame.
   std::span<const Vector3> vertices;

@@ -89,6 +89,15 @@ TEST(Buoyancy, LiftsATiltedShapeByThePartBelowTheSurface) {
   }
 }
 
+TEST(Buoyancy, LiftsAConeByItsVolume) {
+  const std::string cone = "<cone><radius>0.5</radius><length>1.2</length></cone>";
+  const double volume = std::numbers::pi * 0.25 * 1.2 / 3;
+  EXPECT_NEAR(rise(buoyancy("") + body("m", 700, cone)), 1000 * volume * kGravity / 700 - kGravity, 1e-6);
+  // its middle at the surface: an eighth of it is in the air
+  const double mass = 1000 * volume * 7 / 8 + volume / 8;
+  EXPECT_NEAR(rise(buoyancy(kSea) + body("m", mass, cone)), 0, 1e-6);
+}
+
 /// A closed tetrahedron with edges of 1 m along the axes, and one that lacks a side.
 std::string tetrahedron(bool isClosed) {
   return std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n") + (isClosed ? "f 2 3 4\n" : "");

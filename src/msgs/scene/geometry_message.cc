@@ -42,6 +42,12 @@ struct GeometryWriter {
     message.mutable_capsule()->set_length(capsule.length);
   }
 
+  void operator()(const description::Cone& cone) const {
+    message.set_type(im::Geometry::CONE);
+    message.mutable_cone()->set_radius(cone.radius);
+    message.mutable_cone()->set_length(cone.length);
+  }
+
   void operator()(const description::Ellipsoid& ellipsoid) const {
     message.set_type(im::Geometry::ELLIPSOID);
     setVector(ellipsoid.radii, *message.mutable_ellipsoid()->mutable_radii());
@@ -161,6 +167,8 @@ description::Geometry geometryFrom(const im::Geometry& message) {
       return description::Cylinder{message.cylinder().radius(), message.cylinder().length()};
     case im::Geometry::CAPSULE:
       return description::Capsule{message.capsule().radius(), message.capsule().length()};
+    case im::Geometry::CONE:
+      return description::Cone{message.cone().radius(), message.cone().length()};
     case im::Geometry::ELLIPSOID:
       return description::Ellipsoid{vectorFrom(message.ellipsoid().radii())};
     case im::Geometry::PLANE:

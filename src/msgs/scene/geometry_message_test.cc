@@ -44,6 +44,7 @@ TEST(GeometryMessage, TellsEveryShape) {
       {description::Sphere{0.5}, "type: SPHERE sphere { radius: 0.5 } "},
       {description::Cylinder{0.5, 2}, "type: CYLINDER cylinder { radius: 0.5 length: 2 } "},
       {description::Capsule{0.5, 2}, "type: CAPSULE capsule { radius: 0.5 length: 2 } "},
+      {description::Cone{0.5, 2}, "type: CONE cone { radius: 0.5 length: 2 } "},
       {description::Ellipsoid{{1, 2, 3}}, "type: ELLIPSOID ellipsoid { radii { x: 1 y: 2 z: 3 } } "},
       {description::Plane{{0, 0, 1}, {5, 6}}, "type: PLANE plane { normal { z: 1 } size { x: 5 y: 6 } } "},
       {mesh, "type: MESH mesh { filename: \"model://cup/cup.dae\" scale { x: 1 y: 1 z: 1 } submesh: \"handle\" } "},
@@ -76,8 +77,8 @@ TEST(GeometryMessage, MakesEveryShapeAgain) {
        {description::Geometry(description::Empty{}), description::Geometry(description::Box{{1, 2, 3}}),
         description::Geometry(description::Sphere{0.5}), description::Geometry(description::Cylinder{0.5, 2}),
         description::Geometry(description::Capsule{0.5, 2}), description::Geometry(description::Ellipsoid{{1, 2, 3}}),
-        description::Geometry(description::Plane{{0, 1, 0}, {5, 6}}), description::Geometry(mesh),
-        description::Geometry(hills), description::Geometry(triangle),
+        description::Geometry(description::Cone{0.5, 2}), description::Geometry(description::Plane{{0, 1, 0}, {5, 6}}),
+        description::Geometry(mesh), description::Geometry(hills), description::Geometry(triangle),
         description::Geometry(description::Image{"a.png", {}, 1, 200, 2, 1})}) {
     ignition::msgs::Geometry message;
     setGeometry(geometry, message);

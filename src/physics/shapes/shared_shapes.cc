@@ -12,6 +12,7 @@
 
 #include "base/hash.hh"
 #include "physics/convert.hh"
+#include "physics/shapes/cone_shape.hh"
 #include "physics/shapes/ellipsoid_shape.hh"
 #include "physics/shapes/margin.hh"
 
@@ -40,6 +41,9 @@ struct MakeShape {
   Result operator()(const description::Ellipsoid& ellipsoid) const {
     return std::make_shared<EllipsoidShape>(toBullet(ellipsoid.radii));
   }
+  Result operator()(const description::Cone& cone) const {
+    return std::make_shared<ConeShape>(cone.radius, cone.length);
+  }
   Result operator()(const description::Plane& plane) const {
     auto shape = std::make_shared<btStaticPlaneShape>(toBullet(plane.normal.normalized()), 0);
     shape->setMargin(0);
@@ -64,6 +68,10 @@ struct AddTo {
   void operator()(const description::Capsule& capsule) const {
     hash.add(capsule.radius);
     hash.add(capsule.length);
+  }
+  void operator()(const description::Cone& cone) const {
+    hash.add(cone.radius);
+    hash.add(cone.length);
   }
   void operator()(const description::Ellipsoid& ellipsoid) const { add(ellipsoid.radii); }
   void operator()(const description::Plane& plane) const { add(plane.normal); }

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <memory>
 
+#include "description/cone_triangles.hh"
 #include "pongsim/sensing/sensor.hh"
 #include "sim/api/access.hh"
 
@@ -30,6 +32,9 @@ struct ShapeOf {
   Shape operator()(const description::Cylinder& shape) const { return CylinderShape{shape.radius, shape.length}; }
   Shape operator()(const description::Capsule& shape) const { return CapsuleShape{shape.radius, shape.length}; }
   Shape operator()(const description::Ellipsoid& ellipsoid) const { return EllipsoidShape{ellipsoid.radii}; }
+  Shape operator()(const description::Cone& cone) const {
+    return trianglesOf(std::make_shared<const description::TriangleMesh>(description::coneTriangles(cone)), {1, 1, 1});
+  }
   Shape operator()(const description::Plane& plane) const { return PlaneShape{plane.normal.normalized()}; }
   Shape operator()(const description::Mesh& mesh) const { return trianglesOf(mesh.triangles, mesh.scale); }
   Shape operator()(const description::Heightmap& map) const { return trianglesOf(map.triangles, {1, 1, 1}); }

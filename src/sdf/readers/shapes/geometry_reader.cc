@@ -63,6 +63,9 @@ description::Geometry readShape(const Element& geometry, const Element& shape, c
   if (shape.name == "cylinder") {
     return description::Cylinder{readPositive(shape, "radius", 1, context), readPositive(shape, "length", 1, context)};
   }
+  if (shape.name == "cone") {
+    return description::Cone{readPositive(shape, "radius", 1, context), readPositive(shape, "length", 1, context)};
+  }
   if (shape.name == "capsule") {
     return description::Capsule{readPositive(shape, "radius", 0.5, context), readPositive(shape, "length", 1, context)};
   }

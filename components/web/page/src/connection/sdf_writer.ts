@@ -83,7 +83,7 @@ function writeShape(kind: 'collision' | 'visual', shape: Message, lines: Lines):
 }
 
 function writeGeometry(geometry: Message | undefined, lines: Lines): void {
-  const { box, sphere, cylinder, capsule, ellipsoid, plane, mesh } = geometry ?? {};
+  const { box, sphere, cylinder, cone, capsule, ellipsoid, plane, mesh } = geometry ?? {};
   const round = (name: string, shape: Message): void => lines.within(name, () => {
     lines.value('radius', shortest(shape.radius as number));
     if (shape.length !== undefined) lines.value('length', shortest(shape.length as number));
@@ -91,6 +91,7 @@ function writeGeometry(geometry: Message | undefined, lines: Lines): void {
   if (box) lines.within('box', () => lines.value('size', xyz(box.size as Message)));
   else if (sphere) round('sphere', sphere as Message);
   else if (cylinder) round('cylinder', cylinder as Message);
+  else if (cone) round('cone', cone as Message);
   else if (capsule) round('capsule', capsule as Message);
   else if (ellipsoid) lines.within('ellipsoid', () => lines.value('radii', xyz(ellipsoid.radii as Message)));
   else if (plane) {
