@@ -47,7 +47,8 @@ enum class IncludeUse { kReplace, kPreserve };
 
 /// Reads a file and its includes like `loadFile`.
 /// @param use Whether each `<include>` is replaced by its content or preserved.
-/// @return Its `<sdf>` element in SDF 1.9, with the elements that Fortress adds; nothing on errors.
+/// @return Its `<sdf>` element in SDF 1.9, or 1.12 if it is of a later version, with the elements that Fortress adds;
+/// nothing on errors.
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
                                    const assets::Finder& finder = assets::finderFromEnvironment(),
                                    IncludeUse use = IncludeUse::kReplace);

@@ -62,9 +62,12 @@ TEST(Loader, ChecksTheVersion) {
   EXPECT_EQ(messages("version='1.4'"), Messages());
   EXPECT_EQ(messages(""), Messages{"t.sdf:1:1: error: <sdf> has no version | write <sdf version=\"1.9\">"});
   EXPECT_EQ(messages("version='x'"),
-            Messages{"t.sdf:1:6: error: 'x' is not a version of SDF | the versions are 1.4 to 1.9"});
-  EXPECT_EQ(messages("version='1.11'"),
-            Messages{"t.sdf:1:6: warning: SDF 1.11 is not supported: reading the file as SDF 1.9"});
+            Messages{"t.sdf:1:6: error: 'x' is not a version of SDF | the versions are 1.4 to 1.12"});
+  for (const char* newer : {"version='1.10'", "version='1.11'", "version='1.12'"}) {
+    EXPECT_EQ(messages(newer), Messages()) << newer;
+  }
+  EXPECT_EQ(messages("version='1.13'"),
+            Messages{"t.sdf:1:6: warning: SDF 1.13 is not supported: reading the file as SDF 1.12"});
 }
 
 TEST(Loader, TellsAllMistakesInOneGoInTheOrderOfTheFile) {

@@ -94,8 +94,8 @@ TEST(Mutation, OfASampleIsLoadedOrRefused) {
 
 TEST(Mutation, OfARobotIsLoadedOrRefused) {
   std::mt19937 random(4);
-  EXPECT_EQ(load(kMutatedRobot).messages, Messages{"t.sdf:9:26: warning: joint 'j' mimics joint 'k', which is not "
-                                                   "simulated yet | it moves independently, as in Fortress"});
+  EXPECT_EQ(load(kMutatedRobot).messages,
+            Messages{"t.sdf:9:26: warning: joint 'j' mimics 'k', which is not a joint of its model: it moves freely"});
   loadMutations(std::string(kMutatedRobot), 3000, random);
 }
 

@@ -151,10 +151,11 @@ void warnOfRemoved(const std::string& label, const SourcePosition& position, con
                               "SDF 1." + std::to_string(part.row.removedIn) + " removed it");
 }
 
-bool isRemoved(const Schema::Part& part) { return part.row.removedIn != 0; }
-
-/// Removes, or only reports, what SDF 1.9 no longer has.
+/// Removes, or only reports, what the version after the upgrade no longer has.
 void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
+  const auto isRemoved = [version = upgradedVersion(context.version)](const Schema::Part& part) {
+    return part.row.isGoneIn(version);
+  };
   // most elements have no attribute that was removed, so this check saves time
   if (std::ranges::any_of(type.attributes, isRemoved)) {
     std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
@@ -198,7 +199,7 @@ void upgrade(Element& root, Context& context, RemovedUse removed) {
   if (version < 8) unflattenAll(root, context);
   dropRemoved(root, *Schema::instance().root().type, removed, context);
   for (Element::Attribute& attribute : root.attributes) {
-    if (attribute.name == "version") attribute.value = "1." + std::to_string(kNewestVersion);
+    if (attribute.name == "version") attribute.value = "1." + std::to_string(upgradedVersion(version));
   }
 }
 

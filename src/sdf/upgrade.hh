@@ -5,11 +5,11 @@
 
 namespace pongsim::sdf {
 
-/// What happens to elements that SDF 1.9 does not have.
+/// What happens to elements that the version after the upgrade does not have.
 enum class RemovedUse { kDrop, kKeep };
 
-/// Upgrades a file to SDF 1.9, so that readers only handle that version. Warns about elements that 1.9 does not have if
-/// they had an effect.
+/// Upgrades a file to SDF 1.9, or 1.12 if it is of a later version, so that readers only handle these. Warns about
+/// elements that this version does not have if they had an effect.
 /// @param root The `<sdf>` element, of version 1.`context.version`.
 void upgrade(Element& root, Context& context, RemovedUse removed = RemovedUse::kDrop);
 

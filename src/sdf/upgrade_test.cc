@@ -128,5 +128,21 @@ TEST(Upgrade, GivesEachAxisOfAnImuItsNoise) {
   }
 }
 
+TEST(Upgrade, LeadsToTheNewestVersionWhereFortressCannotReadTheFile) {
+  Diagnostics diagnostics;
+  Includes includes(assets::finderIn({}), diagnostics, diagnostics);
+  for (const int version : {10, 11, 12}) {
+    Context context{.diagnostics = diagnostics, .unsimulated = diagnostics, .includes = includes, .version = version};
+    Element root = *parseDocument("<sdf version='1." + std::to_string(version) +
+                                      "'><world name='w'><state world_name='w'><model name='m'/></state></world></sdf>",
+                                  nullptr, diagnostics);
+    upgrade(root, context);
+    EXPECT_EQ(root.attributeOr("version", ""), "1.12");
+    EXPECT_TRUE(root.children.at(0).children.at(0).children.empty());
+  }
+  // the check of elements says it of files of 1.12
+  EXPECT_EQ(diagnostics.all().size(), 2U);
+}
+
 }  // namespace
 }  // namespace pongsim::sdf::test

@@ -19,13 +19,13 @@ int readVersion(const Element& root, Diagnostics& diagnostics) {
   const Element::Attribute* attribute = root.attribute("version");
   if (attribute == nullptr) {
     diagnostics.error(root.position, "<sdf> has no version", "write <sdf version=\"1.9\">");
-    return kNewestVersion;
+    return kFortressVersion;
   }
   const std::string& text = attribute->value;
   const std::optional<int> minor = parseVersion(text);
   if (!minor) {
-    diagnostics.error(attribute->position, "'" + text + "' is not a version of SDF", "the versions are 1.4 to 1.9");
-    return kNewestVersion;
+    diagnostics.error(attribute->position, "'" + text + "' is not a version of SDF", "the versions are 1.4 to 1.12");
+    return kFortressVersion;
   }
   const int version = std::clamp(*minor, kOldestVersion, kNewestVersion);
   if (version != *minor) {

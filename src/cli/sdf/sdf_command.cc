@@ -28,8 +28,8 @@ namespace pongsim::cli {
 
 namespace {
 
-/// What --describe prints without a name.
-constexpr const char* kNewestSdf = "1.9";
+/// What --describe prints without a name: the version of Fortress.
+constexpr const char* kDescribedSdf = "1.9";
 
 struct SdfOptions {
   std::vector<std::string> files;
@@ -144,7 +144,7 @@ Work printWork(const SdfOptions& options) {
 }
 
 Work describeWork(const SdfOptions& options) {
-  if (const auto version = sdfVersion(options.element->empty() ? kNewestSdf : *options.element)) {
+  if (const auto version = sdfVersion(options.element->empty() ? kDescribedSdf : *options.element)) {
     if (!options.files.empty()) throw UsageError("--describe takes no file");
     return [version] { return print(schemaText(*version)) ? kDone : kFailed; };
   }
@@ -196,7 +196,8 @@ void addSdfCommand(CLI::App& program, Work& work) {
   };
   addFlag("-k,--check", options->check, "Report all mistakes in the files and what they include, or print 'Valid.'");
   addFlag("-p,--print", options->print,
-          "Print the file as SDF 1.9, with includes resolved and default values filled in");
+          "Print the file as SDF 1.9 (1.12 if it is of 1.10 or later), with includes resolved and default values "
+          "filled in");
   addFlag("--strict", options->strict, "Treat warnings as errors");
   addFlag("--json", options->json, "Print mistakes as an array of JSON objects");
   command

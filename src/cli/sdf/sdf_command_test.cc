@@ -211,6 +211,8 @@ TEST(SdfDescribe, PrintsWhatTheFormatSays) {
   EXPECT_TRUE(all.output.starts_with("<element name ='sdf' required ='1'>\n")) << all.output.substr(0, 200);
   EXPECT_EQ(runSdf({"-d", "1.9"}).output, all.output);
   EXPECT_EQ(runSdf({"-d", "1.3"}).exitCode, 2);
+  EXPECT_NE(runSdf({"-d", "1.12"}).output.find("<element name ='cone'"), std::string::npos);
+  EXPECT_EQ(runSdf({"-d", "1.13"}).exitCode, 2);
 }
 
 }  // namespace

@@ -58,7 +58,9 @@ std::string versions(const SchemaRow& row) {
 
 std::string defaultOf(const SchemaRow& row) {
   if (row.type.empty()) return "";
-  return row.fallback.empty() ? "\"\"" : std::string(row.fallback);
+  const std::string text(row.fallback.value.empty() ? "\"\"" : row.fallback.value);
+  if (row.fallback.changedIn == 0) return text;
+  return text + " (" + std::string(row.fallback.later) + " since SDF 1." + std::to_string(row.fallback.changedIn) + ")";
 }
 
 std::string_view useOf(sdf::Use use) {
@@ -101,7 +103,7 @@ std::string listOf(std::span<const Schema::Part> parts, bool areAttributes) {
     const SchemaRow& row = part.row;
     const std::string name = part.name == "*" ? "(anything)" : (areAttributes ? "@" : "") + std::string(part.name);
     const std::string gone = row.removedIn == 0 ? "" : "(" + versions(row) + ") ";
-    lines.push_back({name, std::string(row.type), defaultOf(row), howOften(row.presence, areAttributes),
+    lines.push_back({name, std::string(row.type), defaultOf(row), howOften(row.presence.value, areAttributes),
                      gone + std::string(row.description)});
   }
   return lines.empty() ? "" : std::string(areAttributes ? "\nattributes:\n" : "\nelements:\n") + aligned(lines);
@@ -125,7 +127,7 @@ std::string describe(const sdf::NamedPart& named) {
   if (!row.type.empty()) facts.push_back({"type", std::string(row.type)});
   if (!row.type.empty()) facts.push_back({"default", defaultOf(row)});
   // for an element with several parents this differs between them
-  if (named.holders.size() == 1) facts.push_back({"how often", howOften(row.presence, named.isAttribute)});
+  if (named.holders.size() == 1) facts.push_back({"how often", howOften(row.presence.value, named.isAttribute)});
   facts.push_back({"versions", versions(row)});
   facts.push_back({"in pongsim", std::string(useOf(row.use))});
   text += aligned(facts);

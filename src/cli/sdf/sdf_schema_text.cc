@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "sdf/schema/schema.hh"
+#include "sdf/version.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
 using sdf::Schema;
-
-constexpr int kOldest = 4, kNewest = 9;
 
 /// Escapes `text` for an attribute in single quotes.
 std::string inSingleQuotes(std::string_view text) {
@@ -41,16 +40,14 @@ class SchemaWriter {
   }
 
  private:
-  bool isThere(const Schema::Part& part) const {
-    return part.row.since <= version_ && (part.row.removedIn == 0 || version_ < part.row.removedIn);
-  }
+  bool isThere(const Schema::Part& part) const { return part.row.isIn(version_); }
 
   void line(const std::string& text) { text_ += std::string(2 * depth_, ' ') + text + "\n"; }
 
   /// What follows the name of an element or attribute.
-  static std::string value(const Schema::Part& part) {
+  std::string value(const Schema::Part& part) const {
     if (part.row.type.empty()) return "";
-    return " type =" + inSingleQuotes(part.row.type) + " default =" + inSingleQuotes(part.row.fallback);
+    return " type =" + inSingleQuotes(part.row.type) + " default =" + inSingleQuotes(part.row.fallback.in(version_));
   }
 
   void addDescription(const Schema::Part& part) {
@@ -61,9 +58,9 @@ class SchemaWriter {
 
   void addAttribute(const Schema::Part& part) {
     const std::string fallback(part.name == "version" && depth_ == 1 ? "1." + std::to_string(version_)
-                                                                     : std::string(part.row.fallback));
-    line("<attribute name =" + inSingleQuotes(part.name) + " type =" + inSingleQuotes(part.row.type) +
-         " default =" + inSingleQuotes(fallback) + " required ='" + (part.row.presence == '1' ? "1" : "0") + "'>");
+                                                                     : std::string(part.row.fallback.in(version_)));
+    line("<attribute name =" + inSingleQuotes(part.name) + " type =" + inSingleQuotes(part.row.type) + " default =" +
+         inSingleQuotes(fallback) + " required ='" + (part.row.presence.in(version_) == '1' ? "1" : "0") + "'>");
     ++depth_;
     addDescription(part);
     --depth_;
@@ -89,7 +86,7 @@ class SchemaWriter {
       if (isThere(attribute)) addAttribute(attribute);
     }
     for (const Schema::Part& child : type.children) {
-      if (isThere(child)) addElement(child, std::string(1, child.row.presence));
+      if (isThere(child)) addElement(child, std::string(1, child.row.presence.in(version_)));
     }
     open_.pop_back();
   }
@@ -103,9 +100,9 @@ class SchemaWriter {
 }  // namespace
 
 std::optional<int> sdfVersion(std::string_view text) {
-  if (text.size() != 3 || !text.starts_with("1.")) return std::nullopt;
-  const int version = text[2] - '0';
-  return version >= kOldest && version <= kNewest ? std::optional(version) : std::nullopt;
+  const std::optional<int> version = sdf::parseVersion(text);
+  const bool isDescribed = version && *version >= sdf::kOldestVersion && *version <= sdf::kNewestVersion;
+  return isDescribed ? version : std::nullopt;
 }
 
 std::string schemaText(int version) { return SchemaWriter(version).write(); }

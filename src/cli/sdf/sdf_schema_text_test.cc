@@ -8,7 +8,8 @@ namespace {
 TEST(SdfSchemaText, KnowsTheVersionsThatAreDescribed) {
   EXPECT_EQ(sdfVersion("1.4"), 4);
   EXPECT_EQ(sdfVersion("1.9"), 9);
-  for (const char* other : {"", "1", "1.3", "1.10", "2.0", "joint", "1.x"}) {
+  EXPECT_EQ(sdfVersion("1.12"), 12);
+  for (const char* other : {"", "1", "1.3", "1.13", "2.0", "joint", "1.x"}) {
     EXPECT_EQ(sdfVersion(other), std::nullopt) << other;
   }
 }
@@ -30,6 +31,12 @@ TEST(SdfSchemaText, LeavesOutWhatAVersionHasNot) {
   EXPECT_NE(schemaText(9).find(capsule), std::string::npos);
   EXPECT_EQ(schemaText(6).find(capsule), std::string::npos);
   EXPECT_NE(schemaText(6).find("default ='1.6'"), std::string::npos);
+  const std::string cone = "<element name ='cone'";
+  EXPECT_EQ(schemaText(10).find(cone), std::string::npos);
+  EXPECT_NE(schemaText(11).find(cone), std::string::npos);
+  const std::string upper = "<element name ='upper' required ='1' type ='double' default =";
+  EXPECT_NE(schemaText(9).find(upper + "'1e16'"), std::string::npos);
+  EXPECT_NE(schemaText(10).find(upper + "'inf'"), std::string::npos);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ bool Includes::follow(const Element& include, Context& context, const ReadInclud
 
 void Includes::modernize(Element& root, Context& context) const {
   upgrade(root, context, isForPrint_ ? RemovedUse::kKeep : RemovedUse::kDrop);
-  if (isForPrint_) addDefaultElements(root);
+  if (isForPrint_) addDefaultElements(root, upgradedVersion(context.version));
 }
 
 const std::vector<Element>& Includes::replace(const Element& include, std::vector<Element>& parts) {

@@ -52,7 +52,7 @@ class Includes {
     keepsReplacements_ = keepsReplacements;
   }
 
-  /// Upgrades to SDF 1.9; for printing, also adds what Fortress adds.
+  /// Upgrades to SDF 1.9 or 1.12; for printing, also adds what Fortress adds.
   void modernize(Element& root, Context& context) const;
 
   /// Records the elements that replace an `<include>`.

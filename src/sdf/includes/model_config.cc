@@ -14,15 +14,19 @@ std::optional<std::filesystem::path> readModelConfig(const std::filesystem::path
   const std::optional<Element> root = parseDocument(*text, name, diagnostics);
   if (!root) return std::nullopt;
 
+  // Fortress's choice, so that a model is the same there; if it can read none of the files, the newest one
+  const auto rank = [](int version) {
+    if (version > kNewestVersion) return -1;
+    return version <= kFortressVersion ? kNewestVersion + version : version;
+  };
   const Element* best = nullptr;
-  int bestVersion = -1;
+  int bestRank = -1;
   for (const Element& child : root->children) {
     if (child.name != "sdf" || child.text.empty()) continue;
     const int version = parseVersion(child.attributeOr("version", "")).value_or(0);
-    const bool isBetter = version <= kNewestVersion && version > bestVersion;
-    if (best != nullptr && !isBetter) continue;
+    if (best != nullptr && rank(version) <= bestRank) continue;
     best = &child;
-    bestVersion = version <= kNewestVersion ? version : -1;
+    bestRank = rank(version);
   }
   if (best == nullptr) {
     diagnostics.error(root->position, "the model has no <sdf>", "write <sdf version=\"1.9\">model.sdf</sdf>");

@@ -21,15 +21,20 @@ std::string sdf(const std::string& version, const std::string& file) {
   return "<sdf version='" + version + "'>" + file + "</sdf>";
 }
 
-TEST(ModelConfig, NamesTheFileOfTheNewestVersionThatIsSupported) {
+TEST(ModelConfig, NamesTheFileOfTheNewestVersionThatFortressReads) {
   EXPECT_EQ(chosen("<model><name>m</name>" + sdf("1.5", "a") + sdf("1.9", "b") + sdf("1.10", "c") + sdf("1.7", "d") +
                    "</model>"),
             "b");
   EXPECT_EQ(chosen("<model>" + sdf("1.10", "a") + sdf("1.4", "b") + "</model>"), "b");
 }
 
+TEST(ModelConfig, NamesTheNewestSupportedFileWhereFortressReadsNone) {
+  EXPECT_EQ(chosen("<model>" + sdf("1.10", "a") + sdf("1.12", "b") + sdf("1.11", "c") + sdf("1.13", "d") + "</model>"),
+            "b");
+}
+
 TEST(ModelConfig, NamesTheFirstFileWhereNoVersionIsSupportedOrKnown) {
-  EXPECT_EQ(chosen("<model>" + sdf("1.12", "a") + sdf("1.11", "b") + "</model>"), "a");
+  EXPECT_EQ(chosen("<model>" + sdf("1.14", "a") + sdf("1.13", "b") + "</model>"), "a");
   EXPECT_EQ(chosen("<model><sdf>sub/a.sdf</sdf><sdf version='x'>b</sdf></model>"), "sub/a.sdf");
 }
 

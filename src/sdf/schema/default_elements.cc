@@ -10,7 +10,6 @@
 
 #include "base/element_edit.hh"
 #include "sdf/schema/schema.hh"
-#include "sdf/version.hh"
 
 namespace pongsim::sdf {
 
@@ -37,12 +36,12 @@ constexpr auto kOrder = std::to_array<std::string_view>(
      "joint.parent", "joint.child", "joint.axis.xyz", "joint.axis.limit", "joint.axis2.xyz", "joint.axis2.limit",
      "actor.script.trajectory.waypoint.time", "actor.script.trajectory.waypoint.pose",
      // shapes
-     "capsule.radius", "capsule.length", "cylinder.radius", "cylinder.length", "heightmap.blend.min_height",
-     "heightmap.blend.fade_dist", "heightmap.texture.size", "heightmap.texture.diffuse", "heightmap.texture.normal",
-     "image.uri", "image.scale", "image.threshold", "image.height", "image.granularity", "polyline.point",
-     "polyline.height", "material.script.uri", "material.script.name", "surface.soft_contact.dart.bone_attachment",
-     "surface.soft_contact.dart.stiffness", "surface.soft_contact.dart.damping",
-     "surface.soft_contact.dart.flesh_mass_fraction",
+     "capsule.radius", "capsule.length", "cone.radius", "cone.length", "cylinder.radius", "cylinder.length",
+     "heightmap.blend.min_height", "heightmap.blend.fade_dist", "heightmap.texture.size", "heightmap.texture.diffuse",
+     "heightmap.texture.normal", "image.uri", "image.scale", "image.threshold", "image.height", "image.granularity",
+     "polyline.point", "polyline.height", "material.script.uri", "material.script.name",
+     "surface.soft_contact.dart.bone_attachment", "surface.soft_contact.dart.stiffness",
+     "surface.soft_contact.dart.damping", "surface.soft_contact.dart.flesh_mass_fraction",
      // sensors
      "camera.horizontal_fov", "camera.image", "camera.clip", "camera.clip.near", "camera.clip.far",
      "camera.image.width", "camera.image.height", "camera.lens.type", "camera.lens.scale_to_hfov",
@@ -60,88 +59,100 @@ std::size_t rankOf(const Schema::Part* part) {
   return static_cast<std::size_t>(std::ranges::find(kOrder, part->row.path) - kOrder.begin());
 }
 
-bool isInNewest(const Schema::Part& part) {
+bool isIn(int version, const Schema::Part& part) {
   // not in the format, although Fortress reads them
   const bool isOutsideFormat = part.row.path == "sensor.ignition_frame_id" || part.row.path == "sensor.gz_frame_id";
-  return part.row.removedIn == 0 && part.row.since <= kNewestVersion && !isOutsideFormat;
-}
-
-/// @return The part with this name in SDF 1.9, or null.
-const Schema::Part* find(std::span<const Schema::Part> parts, std::string_view name) {
-  const Schema::Part* part = Schema::find(parts, name);
-  return part != nullptr && isInNewest(*part) ? part : nullptr;
-}
-
-/// @return The value of a required element that the file does not give.
-std::string defaultText(const SchemaRow& row) {
-  const bool isNone = row.type == "string" && row.fallback.empty() && row.path != "frame@name";
-  return std::string(isNone && row.presence != '0' ? kNoText : row.fallback);
+  return part.row.isIn(version) && !isOutsideFormat;
 }
 
 /// @return How often the part occurs in its parent, by Fortress's rules: if a part has a file of its own in the
 /// format's description, that file counts and not the one that includes it.
-char presenceOf(const Schema::Part& part) {
+char presenceOf(const Schema::Part& part, int version) {
   const Schema& schema = Schema::instance();
-  if (part.type == nullptr) return part.row.presence;
+  const char presence = part.row.presence.in(version);
+  if (part.type == nullptr) return presence;
   if (part.type == schema.typeOf("noise")) return '1';
   const bool isAnyNumber = part.type == schema.typeOf("model") || part.type == schema.typeOf("link");
-  return isAnyNumber ? '*' : part.row.presence;
+  return isAnyNumber ? '*' : presence;
 }
 
-/// @param presences Values of `SchemaRow::presence`: "1", "1+".
-/// @return The children with one of these presences, in the format's order.
-std::vector<const Schema::Part*> requiredChildren(const Schema::ElementType& type, std::string_view presences) {
-  std::vector<const Schema::Part*> parts;
-  for (const Schema::Part& part : type.children) {
-    if (isInNewest(part) && presences.find(presenceOf(part)) != presences.npos) parts.push_back(&part);
-  }
-  std::ranges::stable_sort(parts, {}, rankOf);
-  return parts;
-}
+/// Completes elements of SDF 1.`version`.
+class Completion {
+ public:
+  explicit Completion(int version) : version_(version) {}
 
-Element defaultElement(const Schema::Part& part, const SourcePosition& position) {
-  Element element = base::makeElement(part.name, position);
-  if (!part.row.type.empty()) element.text = defaultText(part.row);
-  if (part.type == nullptr) return element;
-  for (const Schema::Part& attribute : part.type->attributes) {
-    if (!isInNewest(attribute) || attribute.row.presence != '1') continue;
-    element.attributes.push_back({std::string(attribute.name), defaultText(attribute.row), position});
-  }
-  for (const Schema::Part* child : requiredChildren(*part.type, "1")) {
-    element.children.push_back(defaultElement(*child, position));
-  }
-  return element;
-}
+  void complete(Element& element, const Schema::Part& part) const {
+    static const Schema::ElementType kNothing;
+    const Schema::ElementType& type = part.type != nullptr ? *part.type : kNothing;
+    dropUnknownAttributes(element, type);
+    if (part.isFreeForm) return;
+    if (part.row.type.empty()) element.text.clear();
+    if (!part.row.type.empty() && element.text.empty()) element.text = defaultText(part.row);
 
-void dropUnknownAttributes(Element& element, const Schema::ElementType& type) {
-  std::erase_if(element.attributes, [&type](const Element::Attribute& attribute) {
-    if (attribute.name.find(':') != std::string::npos) return false;
-    const Schema::Part* part = find(type.attributes, attribute.name);
-    return part == nullptr || (attribute.value.empty() && part->row.presence != '1');
-  });
-}
-
-void complete(Element& element, const Schema::Part& part) {
-  static const Schema::ElementType kNothing;
-  const Schema::ElementType& type = part.type != nullptr ? *part.type : kNothing;
-  dropUnknownAttributes(element, type);
-  if (part.isFreeForm) return;
-  if (part.row.type.empty()) element.text.clear();
-  if (!part.row.type.empty() && element.text.empty()) element.text = defaultText(part.row);
-
-  std::ranges::stable_partition(element.children,
-                                [&type](const Element& child) { return find(type.children, child.name) != nullptr; });
-  for (Element& child : element.children) {
-    if (const Schema::Part* known = find(type.children, child.name)) complete(child, *known);
+    std::ranges::stable_partition(
+        element.children, [this, &type](const Element& child) { return find(type.children, child.name) != nullptr; });
+    for (Element& child : element.children) {
+      if (const Schema::Part* known = find(type.children, child.name)) complete(child, *known);
+    }
+    for (const Schema::Part* required : requiredChildren(type, "1+")) {
+      if (element.child(required->name) != nullptr) continue;
+      element.children.push_back(defaultElement(*required, element.position));
+    }
   }
-  for (const Schema::Part* required : requiredChildren(type, "1+")) {
-    if (element.child(required->name) != nullptr) continue;
-    element.children.push_back(defaultElement(*required, element.position));
+
+ private:
+  /// @return The part with this name in this version, or null.
+  const Schema::Part* find(std::span<const Schema::Part> parts, std::string_view name) const {
+    const Schema::Part* part = Schema::find(parts, name);
+    return part != nullptr && isIn(version_, *part) ? part : nullptr;
   }
-}
+
+  /// @return The value of a required element that the file does not give.
+  std::string defaultText(const SchemaRow& row) const {
+    const std::string_view fallback = row.fallback.in(version_);
+    const bool isNone = row.type == "string" && fallback.empty() && row.path != "frame@name";
+    return std::string(isNone && row.presence.in(version_) != '0' ? kNoText : fallback);
+  }
+
+  /// @param presences Values of `SchemaRow::presence`: "1", "1+".
+  /// @return The children with one of these presences, in the format's order.
+  std::vector<const Schema::Part*> requiredChildren(const Schema::ElementType& type, std::string_view presences) const {
+    std::vector<const Schema::Part*> parts;
+    for (const Schema::Part& part : type.children) {
+      const bool isRequired = presences.find(presenceOf(part, version_)) != presences.npos;
+      if (isRequired && isIn(version_, part)) parts.push_back(&part);
+    }
+    std::ranges::stable_sort(parts, {}, rankOf);
+    return parts;
+  }
+
+  Element defaultElement(const Schema::Part& part, const SourcePosition& position) const {
+    Element element = base::makeElement(part.name, position);
+    if (!part.row.type.empty()) element.text = defaultText(part.row);
+    if (part.type == nullptr) return element;
+    for (const Schema::Part& attribute : part.type->attributes) {
+      if (!isIn(version_, attribute) || attribute.row.presence.in(version_) != '1') continue;
+      element.attributes.push_back({std::string(attribute.name), defaultText(attribute.row), position});
+    }
+    for (const Schema::Part* child : requiredChildren(*part.type, "1")) {
+      element.children.push_back(defaultElement(*child, position));
+    }
+    return element;
+  }
+
+  void dropUnknownAttributes(Element& element, const Schema::ElementType& type) const {
+    std::erase_if(element.attributes, [this, &type](const Element::Attribute& attribute) {
+      if (attribute.name.find(':') != std::string::npos) return false;
+      const Schema::Part* part = find(type.attributes, attribute.name);
+      return part == nullptr || (attribute.value.empty() && part->row.presence.in(version_) != '1');
+    });
+  }
+
+  int version_;
+};
 
 }  // namespace
 
-void addDefaultElements(Element& sdf) { complete(sdf, Schema::instance().root()); }
+void addDefaultElements(Element& sdf, int version) { Completion(version).complete(sdf, Schema::instance().root()); }
 
 }  // namespace pongsim::sdf

@@ -8,17 +8,18 @@ namespace pongsim::sdf::test {
 namespace {
 
 /// @return What is printed of an `<sdf>` element with that content, on one line.
-std::string completed(const std::string& content) {
+std::string completed(const std::string& content, int version = 9) {
+  const std::string number = "1." + std::to_string(version);
   Diagnostics diagnostics;
-  Element root = *parseDocument("<sdf version='1.9'>" + content + "</sdf>", nullptr, diagnostics);
-  addDefaultElements(root);
+  Element root = *parseDocument("<sdf version='" + number + "'>" + content + "</sdf>", nullptr, diagnostics);
+  addDefaultElements(root, version);
   std::string line;
   for (const char letter : printDocument(root)) {
     if (letter == '\n') line.erase(line.find_last_not_of(' ') + 1);
     const bool isIndent = letter == ' ' && (line.empty() || line.back() == '>');
     if (letter != '\n' && !isIndent) line += letter;
   }
-  const std::string begin = "<?xml version=\"1.0\"?><sdf version=\"1.9\">", end = "</sdf>";
+  const std::string begin = "<?xml version=\"1.0\"?><sdf version=\"" + number + "\">", end = "</sdf>";
   EXPECT_TRUE(line.starts_with(begin) && line.ends_with(end)) << line;
   return line.substr(begin.size(), line.size() - begin.size() - end.size());
 }
@@ -67,6 +68,21 @@ TEST(DefaultElements, KeepWhatNobodyKnowsBehindTheRest) {
   EXPECT_EQ(completed("<model name='m' unknown='1' my:own='2'><thing a='b'>text</thing><a:b><c>1</c></a:b>"
                       "<link name='l'/></model>"),
             "<model name=\"m\" my:own=\"2\"><link name=\"l\"/><thing a=\"b\">text</thing><a:b><c>1</c></a:b></model>");
+}
+
+TEST(DefaultElements, AreThoseOfTheVersion) {
+  const std::string joint = "<joint name='j' type='revolute'><parent>a</parent><child>b</child><axis/></joint>";
+  const auto limits = [&](int version) {
+    const std::string text = completed("<model name='m'>" + joint + "</model>", version);
+    return text.substr(text.find("<limit>"), text.find("</limit>") - text.find("<limit>"));
+  };
+  EXPECT_EQ(limits(9), "<limit><lower>-1e16</lower><upper>1e16</upper>");
+  EXPECT_EQ(limits(12), "<limit><lower>-inf</lower><upper>inf</upper>");
+  EXPECT_EQ(completed("<model name='m'><plugin filename='f'/></model>", 12),
+            "<model name=\"m\"><plugin filename=\"f\"/></model>");
+  const std::string later = "<model name='m'><link name='l'><inertial auto='true'/></link></model>";
+  EXPECT_EQ(completed(later, 9), "<model name=\"m\"><link name=\"l\"><inertial/></link></model>");
+  EXPECT_EQ(completed(later, 12), "<model name=\"m\"><link name=\"l\"><inertial auto=\"true\"/></link></model>");
 }
 
 TEST(DefaultElements, LeavePluginsAsTheyAre) {

@@ -35,7 +35,7 @@ const Schema::Part* knownPart(const Label& which, std::span<const Schema::Part> 
                               const SourcePosition& position, Context& context) {
   const std::string& name = which.name;
   const Schema::Part* part = Schema::find(parts, name);
-  const bool isGone = part != nullptr && part->row.removedIn != 0 && context.version >= part->row.removedIn;
+  const bool isGone = part != nullptr && part->row.isGoneIn(context.version);
   if (part != nullptr && !isGone) return part;
   const std::string label = which.text();
   if (context.firstTime("unknown " + label)) {
@@ -62,7 +62,9 @@ void checkType(std::string_view type, const std::string& text, const Label& labe
 
 void checkRequired(const Element& element, const Schema::ElementType& type, Context& context) {
   for (const Schema::Part& part : type.attributes) {
-    if (part.row.presence != '1' || part.row.removedIn != 0 || element.attribute(part.name) != nullptr) continue;
+    if (part.row.presence.in(context.version) != '1' || part.row.removedIn != 0 ||
+        element.attribute(part.name) != nullptr)
+      continue;
     const std::string name(part.name);
     context.diagnostics.error(element.position, "<" + element.name + "> has no " + name,
                               "write <" + element.name + " " + name + "=\"...\">");

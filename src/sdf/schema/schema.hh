@@ -10,7 +10,7 @@
 
 namespace pongsim::sdf {
 
-/// The elements and attributes of SDF 1.4 to 1.9 in one schema.
+/// The elements and attributes of SDF 1.4 to 1.12 in one schema.
 class Schema {
  public:
   struct ElementType;

@@ -20,7 +20,7 @@ std::string found(std::string_view path) {
 
 TEST(SchemaPath, BeginsAnywhere) {
   EXPECT_EQ(found("sdf"), "sdf");
-  EXPECT_EQ(found("joint"), "joint (actor) (model) (world)");
+  EXPECT_EQ(found("joint"), "joint (actor) (model) (state.insertions) (world)");
   EXPECT_EQ(found("joint/axis/limit/upper"), "joint.axis.limit.upper (joint.axis.limit)");
   EXPECT_EQ(found("axis/limit"), "joint.axis.limit (joint.axis)");
   EXPECT_EQ(found("//link/inertial"), "link.inertial (link)");

@@ -1,4 +1,5 @@
-// Descriptions taken from sdformat 12, Copyright 2012 Open Source Robotics Foundation, Apache License 2.0.
+// Descriptions of SDF 1.9 and earlier taken from sdformat 12, Copyright 2012 Open Source Robotics Foundation, Apache
+// License 2.0.
 #include "sdf/schema/schema_table.hh"
 
 #include <algorithm>
@@ -35,6 +36,17 @@ std::string_view takeUntil(char separator, std::string_view& text) {
   return field.substr(0, field.find_last_not_of(' ') + 1);
 }
 
+/// @param field "OLD" or "OLD (VERSION: NEW)"
+SchemaRow::Versioned<std::string_view> versionedText(std::string_view field) {
+  const std::size_t begin = field.rfind(" (");
+  const std::size_t colon = field.find(": ", begin == field.npos ? field.size() : begin);
+  if (colon == field.npos || !field.ends_with(')')) return {.value = field};
+  const auto version = base::parseInteger(field.substr(begin + 2, colon - begin - 2));
+  if (!version) return {.value = field};
+  const std::string_view later = field.substr(colon + 2, field.size() - colon - 3);
+  return {field.substr(0, begin), static_cast<int>(*version), later};
+}
+
 SchemaRow rowIn(std::string_view line) {
   constexpr std::array<std::string_view, 3> kUses = {"read", "kept", "passed"};
   std::array<std::string_view, 7> fields;
@@ -44,13 +56,15 @@ SchemaRow rowIn(std::string_view line) {
   const auto sinceVersion = base::parseInteger(since);
   const auto removal = base::parseInteger(removedIn.empty() ? "0" : removedIn);
   const auto usePlace = std::ranges::find(kUses, use);
-  if (count.size() != 1 || !sinceVersion || !removal || usePlace == kUses.end()) {
+  const SchemaRow::Versioned<std::string_view> counts = versionedText(count);
+  if (counts.value.size() != 1 || (counts.changedIn != 0 && counts.later.size() != 1) || !sinceVersion || !removal ||
+      usePlace == kUses.end()) {
     throw std::logic_error("bad row in the table of SDF: " + std::string(line));
   }
   return {path,
           type,
-          fallback,
-          count.front(),
+          versionedText(fallback),
+          {counts.value.front(), counts.changedIn, counts.changedIn != 0 ? counts.later.front() : '0'},
           static_cast<int>(*sinceVersion),
           static_cast<int>(*removal),
           static_cast<Use>(usePlace - kUses.begin()),

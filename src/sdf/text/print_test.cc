@@ -84,6 +84,25 @@ TEST_F(Print, OfAnOldWorldWhoseNamesHaveSeparatorsLoadsToTheSame) {
                       finder_));
 }
 
+TEST_F(Print, OfALaterVersionIsInTheNewestOne) {
+  const auto file =
+      write("w.sdf",
+            "<world name='w'><model name='m'><link name='l'><inertial auto='true'><mass>2</mass></inertial>"
+            "<collision name='c'><density>10</density><geometry><cone/></geometry></collision></link>"
+            "<link name='k'/><joint name='j' type='screw'><parent>l</parent><child>k</child>"
+            "<axis><limit/></axis><thread_pitch>3</thread_pitch></joint><plugin filename='f'/></model>"
+            "</world>",
+            "1.10");
+  ASSERT_TRUE(printsAsItLoads(file, finder_));
+  Diagnostics diagnostics;
+  const std::string text = printDocument(*resolveFile(file, diagnostics, finder_));
+  EXPECT_TRUE(diagnostics.all().empty());
+  for (const char* part : {"<sdf version=\"1.12\">", "<inertial auto=\"true\">", "<density>10</density>",
+                           "<length>1</length>", "<lower>-inf</lower>", "<plugin filename=\"f\"/>"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  }
+}
+
 TEST_F(Print, KeepsModelsLightsAndPluginsOfOtherFiles) {
   write("m.sdf",
         "<model name='m'><link name='a::l'/><plugin filename='f' name='n'>a &lt; b<x y='&quot;'/></plugin></model>",

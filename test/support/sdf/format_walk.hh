@@ -60,16 +60,29 @@ inline NeededContent neededIn(std::string_view name, std::string_view parent, st
       "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame>";
   const bool isInWorld = parent == "world";
   const std::string scope = isInWorld ? "m::" : "";
+  // joints that an axis can mimic
+  const auto leaders = [](const std::string& prefix) {
+    const std::string ends = "<parent>" + prefix + "a</parent><child>" + prefix + "b</child><axis/>";
+    return "<joint name='leader' type='universal'>" + ends + "<axis2><xyz>1 0 0</xyz></axis2></joint>" +
+           "<joint name='other' type='revolute'>" + ends + "</joint>";
+  };
   if (name == "model") needed.children = kLinks;
+  if (name == "mimic" && attribute != "joint") needed.attributes = " joint='leader'";
+  if (name == "link" && next == "inertial") {
+    needed.children = "<collision name='c'><geometry><box/></geometry></collision>";
+  }
+  if (name == "link" && next == "collision") needed.children = "<inertial auto='true'/>";
+  if (name == "inertial" && next == "density") needed.attributes = " auto='true'";
   if (name == "world") {
     needed.children =
         "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame><model name='m'>" + std::string(kLinks) + "</model>";
   }
+  if ((name == "model" || name == "world") && next == "joint") needed.children += leaders(name == "world" ? "m::" : "");
   if (name == "joint") {
-    const std::string_view type = next == "axis2"               ? "universal"
-                                  : next == "thread_pitch"      ? "screw"
-                                  : next.starts_with("gearbox") ? "gearbox"
-                                                                : "revolute";
+    const std::string_view type = next == "axis2"                  ? "universal"
+                                  : next.ends_with("thread_pitch") ? "screw"
+                                  : next.starts_with("gearbox")    ? "gearbox"
+                                                                   : "revolute";
     if (attribute != "type") needed.attributes = " type='" + std::string(type) + "'";
     if (next != "parent")
       needed.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";
@@ -113,10 +126,10 @@ inline std::string requiredAttributes(const Schema::ElementType& type, const std
   for (const Schema::Part& part : type.attributes) {
     const std::string name(part.name);
     const bool isGiven = part.name == tested || given.find(" " + name + "=") != given.npos;
-    if (part.row.presence != '1' || part.row.removedIn != 0 || isGiven) continue;
-    const std::string value = part.name == "version"       ? "1.9"
-                              : !part.row.fallback.empty() ? std::string(part.row.fallback)
-                                                           : valuesOfType(part.row.type).first;
+    if (part.row.presence.in(9) != '1' || part.row.removedIn != 0 || isGiven) continue;
+    const std::string value = part.name == "version"             ? "1.9"
+                              : !part.row.fallback.value.empty() ? std::string(part.row.fallback.value)
+                                                                 : valuesOfType(part.row.type).first;
     text += " " + name + "='" + value + "'";
   }
   return text;

@@ -165,6 +165,24 @@ TEST(Joint, ReadsTheThreadOfAScrew) {
   EXPECT_EQ(loaded.model().joints.at(0).threadPitch, 0.25);
 }
 
+// as in libsdformat 13 and later
+TEST(Joint, ReadsTheThreadOfAScrewInRadiansPerMetreFromSdf110On) {
+  const auto pitchOf = [](const std::string& thread) {
+    const Loaded loaded = loadJoint("<joint name='j' type='screw'>" + kLinks + "<axis/>" + thread + "</joint>", "1.10");
+    EXPECT_EQ(loaded.messages, Messages());
+    return loaded.model().joints.at(0).threadPitch;
+  };
+  EXPECT_DOUBLE_EQ(pitchOf("<thread_pitch>-12.566370614359172</thread_pitch>"), 0.5);
+  EXPECT_EQ(pitchOf("<screw_thread_pitch>0.25</screw_thread_pitch>"), 0.25);
+  EXPECT_EQ(pitchOf("<thread_pitch>3</thread_pitch><screw_thread_pitch>0.25</screw_thread_pitch>"), 0.25);
+  EXPECT_EQ(pitchOf(""), 1);
+  EXPECT_EQ(
+      loadJoint("<joint name='j' type='screw'>" + kLinks + "<axis/>\n<thread_pitch>0</thread_pitch></joint>", "1.10")
+          .messages,
+      Messages{"t.sdf:5:1: error: joint 'j' has a <thread_pitch> of 0 | <screw_thread_pitch> is the distance per turn "
+               "in metres"});
+}
+
 TEST(Joint, NamesTheLineOfAJointWithoutChild) {
   EXPECT_EQ(loadJoint("  <joint name='j' type='fixed'><parent>a</parent></joint>").messages,
             Messages{"t.sdf:4:3: error: joint 'j' has no <child>"});

@@ -93,6 +93,14 @@ description::Collision readCollision(const Element& element, const std::string& 
   return collision;
 }
 
+void warnOfAddedMass(const Element& link, Context& context) {
+  const Element* inertial = link.child("inertial");
+  const Element* added = inertial != nullptr ? inertial->child("fluid_added_mass") : nullptr;
+  if (added == nullptr || !context.firstTime("fluid_added_mass")) return;
+  context.unsimulated.warning(added->position, "<fluid_added_mass> is not simulated yet: it is left out",
+                              "the system hydrodynamics has added mass");
+}
+
 }  // namespace
 
 LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context) {
@@ -101,7 +109,12 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
   link.name = readName(element, owner, context);
   link.position = element.position;
   draft.pose = readPose(element, context);
-  link.inertial = readInertial(element, partLabel(element, link.name, owner), isStatic, context);
+  const std::string label = partLabel(element, link.name, owner);
+  std::optional<AutoInertia> automatic = readAutoInertia(element, label, context);
+  if (!automatic) link.inertial = readInertial(element, label, isStatic, context);
+  warnOfAddedMass(element, context);
+  // a static link has no use for it
+  if (!isStatic) draft.autoInertia = std::move(automatic);
   link.gravity = readFlag(element, "gravity", link.gravity, context);
   link.kinematic = readFlag(element, "kinematic", link.kinematic, context);
   if (const Element* selfCollide = element.child("self_collide");
@@ -116,7 +129,6 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
     link.angularDamping = readNotNegative(*decay, "angular", link.angularDamping, context);
   }
 
-  const std::string label = partLabel(element, link.name, owner);
   SiblingNames names(label);
   for (const Element& child : element.children) {
     if (child.name != "collision" && child.name != "visual") continue;
@@ -132,6 +144,7 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
       index = link.collisions.size();
       link.collisions.push_back(readCollision(child, label, context));
       link.collisions.back().X_LinkCollision = pose.value;
+      draft.densities.push_back(readDensity(child, context));
       names.claim(link.collisions.back().name, child.name, child, context);
     }
     if (!pose.relativeTo.empty()) draft.shapes.push_back({isVisual, index, pose});
@@ -159,6 +172,9 @@ description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t 
     const Pose X_LinkShape = link.X_ModelLink.inverse() * frame->X_ScopeFrame * shape.pose.value;
     (shape.isVisual ? link.visuals[shape.index].X_LinkVisual : link.collisions[shape.index].X_LinkCollision) =
         X_LinkShape;
+  }
+  if (draft.autoInertia) {
+    computeInertia(*draft.autoInertia, draft.densities, "link '" + link.name + "'", link, context);
   }
   for (SensorDraft& sensor : draft.sensors) {
     link.sensors.push_back(finishSensor(std::move(sensor), scope, link.X_ModelLink, context));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 #include "sdf/frames/scope.hh"
+#include "sdf/readers/models/auto_inertia.hh"
 #include "sdf/readers/sensors/sensor_reader.hh"
 #include "sdf/readers/worlds/light_reader.hh"
 #include "sdf/text/values.hh"
@@ -24,6 +26,10 @@ struct LinkDraft {
     PoseText pose;
   };
   std::vector<PlacedShape> shapes;
+  /// Given if the inertia is computed from the collisions once these are placed.
+  std::optional<AutoInertia> autoInertia = std::nullopt;
+  /// Of the collisions; nothing where they give none [kg/m^3].
+  std::vector<std::optional<double>> densities;
   std::vector<SensorDraft> sensors;
   std::vector<LightDraft> lights;
 };

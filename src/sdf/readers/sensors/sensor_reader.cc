@@ -170,6 +170,7 @@ struct SensorType {
 
 constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"air_pressure", "air_pressure", "", true},
+    {"air_speed", "air_speed", "", false},
     {"altimeter", "altimeter", "", true},
     {"boundingbox", "camera", "", false},
     {"boundingbox_camera", "camera", "", false},
@@ -266,7 +267,7 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
   sensor.sdf = element;
   draft.pose = readPose(element, context);
   sensor.topic = childText(element, "topic");
-  for (const char* name : {"ignition_frame_id", "gz_frame_id"}) {
+  for (const char* name : {"ignition_frame_id", "gz_frame_id", "frame_id"}) {
     if (const std::string_view frame = childText(element, name); !frame.empty()) sensor.frame = frame;
   }
   sensor.updateRate = readNotNegative(element, "update_rate", 0, context);

@@ -38,6 +38,17 @@ TEST(Geometry, ReadsCapsulesAndEllipsoids) {
   EXPECT_EQ(std::get<description::Ellipsoid>(collisions.at(2).geometry).radii, Vector3(1, 2, 3));
 }
 
+TEST(Geometry, MayBeACone) {
+  const Loaded loaded = loadLink(
+      "<collision name='a'><geometry><cone><radius>2</radius><length>3</length></cone></geometry></collision>"
+      "<visual name='v'><geometry><cone/></geometry></visual>\n"
+      "<visual name='w'><geometry><cone><length>0</length></cone></geometry></visual>");
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:5:34: error: <length> is '0', which is not a finite number above zero"});
+  const description::Link& link = loaded.model().links.at(0);
+  EXPECT_EQ(std::get<description::Cone>(link.collisions.at(0).geometry), (description::Cone{2, 3}));
+  EXPECT_EQ(std::get<description::Cone>(link.visuals.at(0).geometry), (description::Cone{1, 1}));
+}
+
 TEST(Geometry, HasTheDefaultsOfTheFormat) {
   const Loaded loaded = loadLink(
       "<visual name='b'><geometry><box/></geometry></visual>"
