@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "pongsim/geometry/solid.hh"
+#include "sdf/readers/models/inertial_reader.hh"
 #include "sdf/readers/models/mass_properties.hh"
 #include "sdf/text/values.hh"
 
@@ -77,6 +78,10 @@ void computeInertia(const AutoInertia& automatic, const std::vector<std::optiona
     sum += part->in(collision.X_LinkCollision);
   }
   const description::Inertial computed = sum.inertial(automatic.mass.value_or(sum.mass));
+  if (computed.mass > kLargestMass) {
+    context.diagnostics.error(automatic.position, "the computed mass of " + owner + " is beyond 1e30 kg");
+    return;
+  }
   if (isPossible(computed)) {
     link.inertial = computed;
     return;

@@ -76,6 +76,12 @@ TEST(AutoInertia, NeedsCollisionsWithAVolume) {
             Messages{"t.sdf:4:23: error: <density> is '0', which is not a finite number above zero"});
 }
 
+TEST(AutoInertia, RefusesAMassBeyondAllStars) {
+  const Messages refused{"t.sdf:4:1: error: the computed mass of link 'l' is beyond 1e30 kg"};
+  EXPECT_EQ(loadAutomatic("<density>1e31</density>", boxCollision("c")).messages, refused);
+  EXPECT_EQ(loadAutomatic("<mass>1e31</mass>", boxCollision("c")).messages, refused);
+}
+
 TEST(AutoInertia, OfAMeshIsThatOfItsVolume) {
   const pongsim::test::TempFolder folder;
   // the corner of a cube of 6 m, whose inertia is known, and the same without one of its sides

@@ -9,9 +9,6 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Mass of the sun [kg]. The limit keeps squares and products of masses finite.
-constexpr double kLargestMass = 1e30;
-
 /// Allowed error of a tensor relative to its trace, for files with rounded numbers.
 constexpr double kTolerance = 1e-4;
 

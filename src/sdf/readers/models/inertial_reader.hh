@@ -8,6 +8,9 @@
 
 namespace pongsim::sdf {
 
+/// Mass of the sun [kg]. The limit keeps squares and products of masses finite.
+inline constexpr double kLargestMass = 1e30;
+
 /// Reads the `<inertial>` of a link; without one: 1 kg and a unit inertia tensor.
 /// @param owner "link 'l' of model 'm'"
 /// @param isStatic The link never moves, so any mass will do.
