@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <set>
 #include <string>
 #include <string_view>
@@ -151,11 +152,29 @@ void warnOfRemoved(const std::string& label, const SourcePosition& position, con
                               "SDF 1." + std::to_string(part.row.removedIn) + " removed it");
 }
 
+/// From SDF 1.10 on, a screw's thread has a name that says its unit, metres per turn. Fortress takes `<thread_pitch>`
+/// for that, but libsdformat from 1.10 on reads it like Gazebo Classic: in radians per metre, left-handed.
+void renameThreads(Element& root, Context& context) {
+  forEach(root, "joint", [&context](Element& joint) {
+    Element* thread = base::childOf(joint, "thread_pitch");
+    if (thread == nullptr || joint.child("screw_thread_pitch") != nullptr) return;
+    double pitch = readNumber(joint, "thread_pitch", 1, context);
+    if (context.version > kFortressVersion) {
+      if (pitch == 0) {
+        context.diagnostics.error(thread->position, "<thread_pitch> is 0",
+                                  "<screw_thread_pitch> is the distance per turn in metres");
+        return;
+      }
+      pitch = -2 * std::numbers::pi / pitch;
+    }
+    thread->name = "screw_thread_pitch";
+    thread->text = base::shortestText(pitch);
+  });
+}
+
 /// Removes, or only reports, what the version after the upgrade no longer has.
-void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
-  const auto isRemoved = [version = upgradedVersion(context.version)](const Schema::Part& part) {
-    return part.row.isGoneIn(version);
-  };
+void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, int version, Context& context) {
+  const auto isRemoved = [version](const Schema::Part& part) { return part.row.isGoneIn(version); };
   // most elements have no attribute that was removed, so this check saves time
   if (std::ranges::any_of(type.attributes, isRemoved)) {
     std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
@@ -174,7 +193,7 @@ void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse u
       warnOfRemoved("<" + child.name + ">", child.position, *part, element, context);
       if (use == RemovedUse::kDrop) continue;
     } else if (part != nullptr && part->type != nullptr && !part->isFreeForm) {
-      dropRemoved(child, *part->type, use, context);
+      dropRemoved(child, *part->type, use, version, context);
     }
     Element& place = element.children[kept++];
     if (&place != &child) place = std::move(child);
@@ -184,8 +203,9 @@ void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse u
 
 }  // namespace
 
-void upgrade(Element& root, Context& context, RemovedUse removed) {
+void upgrade(Element& root, Context& context, RemovedUse removed, int least) {
   const int version = context.version;
+  const int target = std::max(least, upgradedVersion(version));
   if (version < 5) flagAxes(root);
   if (version < 6) {
     movePhysics(root);
@@ -197,9 +217,10 @@ void upgrade(Element& root, Context& context, RemovedUse removed) {
     separateAllNames(root, context);
   }
   if (version < 8) unflattenAll(root, context);
-  dropRemoved(root, *Schema::instance().root().type, removed, context);
+  if (target > kFortressVersion) renameThreads(root, context);
+  dropRemoved(root, *Schema::instance().root().type, removed, target, context);
   for (Element::Attribute& attribute : root.attributes) {
-    if (attribute.name == "version") attribute.value = "1." + std::to_string(upgradedVersion(version));
+    if (attribute.name == "version") attribute.value = "1." + std::to_string(target);
   }
 }
 

@@ -82,9 +82,13 @@ bool Includes::follow(const Element& include, Context& context, const ReadInclud
   return isRead;
 }
 
-void Includes::modernize(Element& root, Context& context) const {
-  upgrade(root, context, isForPrint_ ? RemovedUse::kKeep : RemovedUse::kDrop);
-  if (isForPrint_) addDefaultElements(root, upgradedVersion(context.version));
+void Includes::modernize(Element& root, Context& context) {
+  if (!isForPrint_) return upgrade(root, context);
+  // the file itself comes first; what it includes is printed within it
+  const int version = std::max(printedVersion_, upgradedVersion(context.version));
+  if (printedVersion_ == 0) printedVersion_ = version;
+  upgrade(root, context, RemovedUse::kKeep, version);
+  addDefaultElements(root, version);
 }
 
 const std::vector<Element>& Includes::replace(const Element& include, std::vector<Element>& parts) {

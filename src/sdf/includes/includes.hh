@@ -53,7 +53,7 @@ class Includes {
   }
 
   /// Upgrades to SDF 1.9 or 1.12; for printing, also adds what Fortress adds.
-  void modernize(Element& root, Context& context) const;
+  void modernize(Element& root, Context& context);
 
   /// Records the elements that replace an `<include>`.
   /// @return Those elements, for reading: `parts`, or the copy that is kept of them.
@@ -112,6 +112,8 @@ class Includes {
   std::size_t size_ = 0;
   int modelDepth_ = 0;
   bool isForPrint_ = false;
+  /// That of the file itself, when it is printed.
+  int printedVersion_ = 0;
   bool keepsReplacements_ = false;
   std::unordered_map<const Element*, std::vector<Element>> replacements_;
 };

@@ -103,6 +103,25 @@ TEST_F(Print, OfALaterVersionIsInTheNewestOne) {
   }
 }
 
+TEST_F(Print, KeepsTheThreadsOfScrewsOfAnyVersion) {
+  const std::string model =
+      "<model name='m'><link name='l'/><link name='k'/><joint name='j' type='screw'><parent>l</parent>"
+      "<child>k</child><axis/><thread_pitch>3</thread_pitch></joint></model>";
+  write("old.sdf", model, "1.9");
+  write("new.sdf", model, "1.10");
+  const std::string world =
+      "<world name='w'><include><uri>old.sdf</uri><name>a</name></include><include><uri>new.sdf</uri></include>"
+      "</world>";
+  for (const char* version : {"1.9", "1.12"}) {
+    const auto file = write("w.sdf", world, version);
+    EXPECT_TRUE(printsAsItLoads(file, finder_));
+    Diagnostics diagnostics;
+    const auto models = loadFile(file, diagnostics, finder_).worlds.at(0).models;
+    EXPECT_EQ(models.at(0).joints.at(0).threadPitch, 3);
+    EXPECT_NEAR(models.at(1).joints.at(0).threadPitch, -2 * M_PI / 3, 1e-12);
+  }
+}
+
 TEST_F(Print, KeepsModelsLightsAndPluginsOfOtherFiles) {
   write("m.sdf",
         "<model name='m'><link name='a::l'/><plugin filename='f' name='n'>a &lt; b<x y='&quot;'/></plugin></model>",

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,7 +10,6 @@
 #include "base/nearest_word.hh"
 #include "sdf/text/names.hh"
 #include "sdf/text/values.hh"
-#include "sdf/version.hh"
 
 namespace pongsim::sdf {
 
@@ -181,23 +179,6 @@ void readGearbox(const Element& element, JointDraft& draft, Context& context) {
   }
 }
 
-/// @return The distance per turn [m], right-handed if positive.
-double readThreadPitch(const Element& joint, const std::string& label, double fallback, Context& context) {
-  if (joint.child("screw_thread_pitch") != nullptr) {
-    return readNumber(joint, "screw_thread_pitch", fallback, context);
-  }
-  const Element* older = joint.child("thread_pitch");
-  if (older == nullptr) return fallback;
-  const double pitch = readNumber(joint, "thread_pitch", fallback, context);
-  // Fortress takes it for the distance. libsdformat from SDF 1.10 on reads it like Gazebo Classic: radians per metre,
-  // left-handed.
-  if (context.version <= kFortressVersion) return pitch;
-  if (pitch != 0) return -2 * std::numbers::pi / pitch;
-  context.diagnostics.error(older->position, label + " has a <thread_pitch> of 0",
-                            "<screw_thread_pitch> is the distance per turn in metres");
-  return fallback;
-}
-
 }  // namespace
 
 JointDraft readJoint(const Element& element, const std::string& owner, Context& context) {
@@ -211,7 +192,9 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
     joint.type = *type;
     readAxes(element, draft, context);
     if (*type == JointType::kScrew) {
-      joint.threadPitch = readThreadPitch(element, label, joint.threadPitch, context);
+      const bool isNew = element.child("screw_thread_pitch") != nullptr;
+      joint.threadPitch =
+          readNumber(element, isNew ? "screw_thread_pitch" : "thread_pitch", joint.threadPitch, context);
     }
     if (*type == JointType::kGearbox) readGearbox(element, draft, context);
   }

@@ -179,8 +179,7 @@ TEST(Joint, ReadsTheThreadOfAScrewInRadiansPerMetreFromSdf110On) {
   EXPECT_EQ(
       loadJoint("<joint name='j' type='screw'>" + kLinks + "<axis/>\n<thread_pitch>0</thread_pitch></joint>", "1.10")
           .messages,
-      Messages{"t.sdf:5:1: error: joint 'j' has a <thread_pitch> of 0 | <screw_thread_pitch> is the distance per turn "
-               "in metres"});
+      Messages{"t.sdf:5:1: error: <thread_pitch> is 0 | <screw_thread_pitch> is the distance per turn in metres"});
 }
 
 TEST(Joint, NamesTheLineOfAJointWithoutChild) {
