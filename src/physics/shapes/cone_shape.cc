@@ -3,16 +3,16 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "physics/shapes/margin.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
 ConeShape::ConeShape(btScalar radius, btScalar length) : radius_(radius), length_(length) {
   m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
   // of half the angle at the tip
-  const btScalar sine = radius / std::hypot(radius, length);
+  const btScalar sine = radius / math::hypot(radius, length);
   // so small that rounding takes at most the usual margin off the tip
   setMargin(sine * marginFor(std::min(radius, length / 2)));
   innerBase_ = -length / 2 + getMargin();
@@ -28,7 +28,7 @@ btVector3 ConeShape::localGetSupportingVertex(const btVector3& direction) const 
 
 btVector3 ConeShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
   // the tip, or the point of the base circle on the side of the direction
-  const btScalar across = std::hypot(direction.x(), direction.y());
+  const btScalar across = math::hypot(direction.x(), direction.y());
   if (direction.z() * (innerTip_ - innerBase_) > across * innerRadius_) return {0, 0, innerTip_};
   if (across > 0) {
     return {innerRadius_ * direction.x() / across, innerRadius_ * direction.y() / across, innerBase_};
