@@ -189,7 +189,7 @@ void Engine::Parts::addJoints() {
     for (std::size_t i = 0; i < joints[slot]->axisCount(); ++i) {
       const std::optional<description::Mimic>& mimic = record.description->axes[i].mimic;
       const world::Slot leader = mimic ? entities.findJoint(record.model, mimic->joint) : world::kNoSlot;
-      if (hasAxis(leader, mimic ? mimic->axis : 0)) joints[slot]->follow(i, *joints[leader]);
+      if (hasAxis(leader, mimic ? mimic->axis : 0)) joints[slot]->follow(i, *joints[leader], *mimic);
     }
   }
 }

@@ -64,6 +64,16 @@ double twistAbout(const btVector3& axis, const btMatrix3x3& R_WorldReference, co
 
 }  // namespace
 
+Joint::Limits::Limits(const description::JointAxis& axis)
+    : lower(axis.lower),
+      upper(axis.upper),
+      effort(axis.effort),
+      velocity(axis.velocity),
+      damping(axis.damping),
+      friction(axis.friction),
+      springReference(axis.springReference),
+      springStiffness(axis.springStiffness) {}
+
 Joint::Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
              const JointEnd& reference)
     : parent_(*parent.body),
@@ -79,7 +89,7 @@ Joint::Joint(const description::Joint& description, const JointEnd& parent, cons
       secondAxis_(secondAxisOf(description)),
       parentMoves_(parent.moves),
       childMoves_(child.moves) {
-  for (std::size_t i = 0; i < axisCount_; ++i) axes_[i].description = description.axes[i];
+  for (std::size_t i = 0; i < axisCount_; ++i) axes_[i].limits = Limits(description.axes[i]);
   if (type_ != JointType::kGearbox) return;
   gearbox_ = std::make_unique<Gearbox>(description.gearboxRatio, *reference.body, reference.moves,
                                        alongAxis(reference.X_BodyJoint, description));
@@ -90,7 +100,7 @@ world::JointState Joint::state() const {
 }
 
 void Joint::setVelocityTarget(double velocity, std::size_t axis) {
-  const double limit = axes_[axis].description.velocity;
+  const double limit = axes_[axis].limits.velocity;
   axes_[axis].velocityTarget = std::clamp(velocity, -limit, limit);
 }
 
@@ -133,30 +143,30 @@ void Joint::prepare(double dt) {
 }
 
 void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
-  const description::JointAxis& description = axis.description;
+  const Limits& limits = axis.limits;
   axis.motor.active = axis.damper.active = axis.limit.active = false;
-  axis.appliedForce = std::clamp(std::exchange(axis.force, 0), -description.effort, description.effort);
+  axis.appliedForce = std::clamp(std::exchange(axis.force, 0), -limits.effort, limits.effort);
   axis.appliedAlong = along;
 
   // a motor holds its velocity with all its effort; else friction holds against what moves
   const std::optional<double> target = targetOf(axis, dt);
   if (target) {
-    const double impulse = description.effort * dt;
-    const double lowest = (description.lower - axis.position) / dt;
-    const double highest = (description.upper - axis.position) / dt;
+    const double impulse = limits.effort * dt;
+    const double lowest = (limits.lower - axis.position) / dt;
+    const double highest = (limits.upper - axis.position) / dt;
     axis.motor = {true, std::max(std::min(*target, highest), lowest), -impulse, impulse};
-  } else if (description.friction > 0) {
-    axis.motor = {true, 0, -description.friction * dt, description.friction * dt};
+  } else if (limits.friction > 0) {
+    axis.motor = {true, 0, -limits.friction * dt, limits.friction * dt};
   }
-  const bool isHeld = target && std::isinf(description.effort);
+  const bool isHeld = target && std::isinf(limits.effort);
   if (!isHeld) prepareDamper(axis, dt);
 
   // a limit has a row if this step could reach it; the 1 in `reach` allows for what the forces add to the velocity
   const double reach = (std::abs(axis.velocity) + 1) * 2 * dt;
-  if (axis.position < description.lower + reach) {
-    axis.limit = {true, description.lower - axis.position, 0, kInfinity};
-  } else if (axis.position > description.upper - reach) {
-    axis.limit = {true, description.upper - axis.position, -kInfinity, 0};
+  if (axis.position < limits.lower + reach) {
+    axis.limit = {true, limits.lower - axis.position, 0, kInfinity};
+  } else if (axis.position > limits.upper - reach) {
+    axis.limit = {true, limits.upper - axis.position, -kInfinity, 0};
   }
 }
 
@@ -164,22 +174,22 @@ void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
 /// leader to be at the end of the step. As with DART's mimic motor, the leader does not feel it.
 std::optional<double> Joint::targetOf(const Axis& axis, double dt) {
   if (axis.velocityTarget || axis.leader == nullptr) return axis.velocityTarget;
-  const description::Mimic& mimic = *axis.description.mimic;
+  const description::Mimic& mimic = *axis.mimic;
   const Axis& leader = axis.leader->axes_[mimic.axis];
   const double position = leader.position + dt * leader.velocity;
   const double target = mimic.multiplier * (position - mimic.reference) + mimic.offset;
-  const double limit = axis.description.velocity;
+  const double limit = axis.limits.velocity;
   return std::clamp((target - axis.position) / dt, -limit, limit);
 }
 
 /// Spring k and damper d act at the end of the step h, so that they are stable for any inertia, as in Fortress's DART:
 /// the impulse is -h (k (q + h v - q0) + d v), so v + impulse / (h d + h^2 k) = -k (q - q0) / (d + h k).
 void Joint::prepareDamper(Axis& axis, double dt) {
-  const description::JointAxis& description = axis.description;
-  const double sum = description.damping + dt * description.springStiffness;
+  const Limits& limits = axis.limits;
+  const double sum = limits.damping + dt * limits.springStiffness;
   if (!(sum > 0)) return;
-  const double stretch = axis.position - description.springReference;
-  axis.damper = {true, -description.springStiffness * stretch / sum, -kInfinity, kInfinity, 1 / (dt * sum)};
+  const double stretch = axis.position - limits.springReference;
+  axis.damper = {true, -limits.springStiffness * stretch / sum, 1 / (dt * sum)};
 }
 
 void Joint::applyForce(const btVector3& force, const btVector3& point) {

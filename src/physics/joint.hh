@@ -61,8 +61,11 @@ class Joint final {
   void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
   /// Makes an axis follow another joint's, as its `<mimic>` says, wherever it has no velocity target.
-  /// @param leader Must outlive this.
-  void follow(std::size_t axis, const Joint& leader) { axes_[axis].leader = &leader; }
+  /// @param leader Must outlive this, like `mimic`.
+  void follow(std::size_t axis, const Joint& leader, const description::Mimic& mimic) {
+    axes_[axis].leader = &leader;
+    axes_[axis].mimic = &mimic;
+  }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
   /// @return Whether any axis has a nonzero commanded force or velocity.
   bool isDriven() const;
@@ -111,12 +114,25 @@ class Joint final {
     double velocity = 0;
     double lowestImpulse = 0;
     double highestImpulse = 0;
+  };
+  /// A row without bounds.
+  struct Damper {
+    bool active = false;
+    double velocity = 0;
     double compliance = 0;
   };
+  /// What a step needs of a `description::JointAxis`.
+  struct Limits {
+    explicit Limits(const description::JointAxis& axis = {});
+
+    double lower, upper, effort, velocity, damping, friction, springReference, springStiffness;
+  };
   struct Axis {
-    description::JointAxis description;
+    Limits limits;
     std::optional<double> velocityTarget;
+    /// Where the axis follows another one.
     const Joint* leader = nullptr;
+    const description::Mimic* mimic = nullptr;
     double force = 0;
     double position = 0;
     double velocity = 0;
@@ -124,7 +140,7 @@ class Joint final {
     double appliedForce = 0;
     btVector3 appliedAlong{0, 0, 0};
     AxisRow motor;
-    AxisRow damper;
+    Damper damper;
     AxisRow limit;
 
     void unwrap(double angle);

@@ -151,19 +151,19 @@ void Joint::addCrossRow(RowWriter& writer, const Frames& frames, double errorRat
 }
 
 void Joint::addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp) const {
-  const auto add = [&](const AxisRow& row, double bias) {
+  const auto add = [&](double bias, double lowest, double highest, double compliance = 0) {
     if (slides_) {
-      writer.linear(along, bias, row.lowestImpulse, row.highestImpulse, 0, row.compliance);
+      writer.linear(along, bias, lowest, highest, 0, compliance);
     } else {
-      writer.angular(along, bias, row.lowestImpulse, row.highestImpulse, row.compliance);
+      writer.angular(along, bias, lowest, highest, compliance);
     }
   };
-  if (axis.motor.active) add(axis.motor, axis.motor.velocity);
-  if (axis.damper.active) add(axis.damper, axis.damper.velocity);
+  if (axis.motor.active) add(axis.motor.velocity, axis.motor.lowestImpulse, axis.motor.highestImpulse);
+  if (axis.damper.active) add(axis.damper.velocity, -kInfinity, kInfinity, axis.damper.compliance);
   if (axis.limit.active) {
     // reach the limit within this step, but return from beyond it by the fraction `erp`
     const bool isBeyond = (axis.limit.highestImpulse > 0) == (axis.limit.velocity > 0);
-    add(axis.limit, axis.limit.velocity * rate * (isBeyond ? erp : 1));
+    add(axis.limit.velocity * rate * (isBeyond ? erp : 1), axis.limit.lowestImpulse, axis.limit.highestImpulse);
   }
 }
 

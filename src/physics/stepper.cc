@@ -49,7 +49,7 @@ void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
 }
 
 // With hundreds of robots, what a pair or island needs is in no near cache, so it is prefetched while those before are
-// processed: of pairs first the proxies and, once these are there, what they point to.
+// processed: of pairs first the proxies and, once these are there, what they point to, and then the manifolds.
 void prefetchProxies(const btBroadphasePair& pair) {
   base::prefetch(*static_cast<const btDbvtProxy*>(pair.m_pProxy0));
   base::prefetch(*static_cast<const btDbvtProxy*>(pair.m_pProxy1));
@@ -172,9 +172,10 @@ void Stepper::formNeighbourhoods() {
 void Stepper::findPairTouches(std::span<const std::uint32_t> pairs, std::size_t worker, std::vector<Touch>& touches) {
   btBroadphasePair* const all = collisions_.broadPhase().getOverlappingPairCache()->getOverlappingPairArrayPtr();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    constexpr std::size_t kFar = 8, kNear = 4;
+    constexpr std::size_t kFar = 8, kNear = 4, kNext = 2;
     if (i + kFar < pairs.size()) prefetchProxies(all[pairs[i + kFar]]);
     if (i + kNear < pairs.size()) prefetchObjects(all[pairs[i + kNear]]);
+    if (i + kNext < pairs.size()) collisions_.dispatcher().prefetchManifolds(all[pairs[i + kNext]], worker);
     collisions_.dispatcher().findTouches(all[pairs[i]], dispatchInfo_, worker, touches);
   }
 }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/prefetch.hh"
 #include "description/link.hh"
 #include "physics/contacts/broad_phase.hh"
 #include "physics/contacts/contact_limits.hh"
@@ -212,6 +213,16 @@ void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
 
 Islands::Ends Dispatcher::numbersOf(const btBroadphasePair& pair) {
   return {objectOf(*pair.m_pProxy0).getIslandTag(), objectOf(*pair.m_pProxy1).getIslandTag()};
+}
+
+void Dispatcher::prefetchManifolds(const btBroadphasePair& pair, std::size_t worker) {
+  btManifoldArray& manifolds = scratches_[worker].manifolds;
+  listManifolds(pair, manifolds);
+  for (int i = 0; i < manifolds.size(); ++i) {
+    // most have one point; the number of points stands behind all of them
+    base::prefetch(manifolds[i]->getContactPoint(0));
+    base::prefetch(manifolds[i]->m_companionIdA);
+  }
 }
 
 void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, std::size_t worker,

@@ -49,6 +49,8 @@ class Dispatcher final : public btCollisionDispatcher {
   /// @param touches The touching parts of the two bodies are appended to it.
   void findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, std::size_t worker,
                    std::vector<Touch>& touches);
+  /// Prefetches the manifolds that `findTouches` will need for a pair of the same worker.
+  void prefetchManifolds(const btBroadphasePair& pair, std::size_t worker);
   /// Forgets pairs that are no longer near each other; to be called after their touches have been found.
   void removeParted(btOverlappingPairCache& pairs);
 
