@@ -70,7 +70,8 @@ def test_forged_states_are_refused_or_go_on():
 
 @pytest.mark.parametrize("world", WORLDS, ids=lambda world: world.stem)
 @pytest.mark.filterwarnings("ignore::pongsim.WorldWarning")
-def test_forged_memories_of_systems_are_refused_or_go_on(world):
+def test_forged_memories_of_systems_are_refused_or_go_on(world, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # the COLLADA exporter writes into the current folder
     with pongsim.Simulation(world) as sim:
         sim.step(50)
         attack(sim, 30, random.Random(world.stem))
