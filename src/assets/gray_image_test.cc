@@ -3,14 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
-#include <jpeglib.h>
-
+#include "support/jpeg_file.hh"
 #include "support/png_file.hh"
 #include "support/temp_folder.hh"
 
@@ -28,36 +25,11 @@ TEST(GrayImage, HasItsPixelsFromTheTop) {
   EXPECT_EQ(image->at(1, 1), 128);
 }
 
-/// @return The content of a grey JPEG file of 16 x 16 pixels, whose rows are brighter by 10 from the top down.
-std::string grayJpeg() {
-  jpeg_compress_struct info;
-  jpeg_error_mgr errors;
-  info.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&info);
-  unsigned char* bytes = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&info, &bytes, &size);
-  info.image_width = info.image_height = 16;
-  info.input_components = 1;
-  info.in_color_space = JCS_GRAYSCALE;
-  jpeg_set_defaults(&info);
-  jpeg_set_quality(&info, 100, TRUE);
-  jpeg_start_compress(&info, TRUE);
-  for (int y = 0; y < 16; ++y) {
-    std::vector<std::uint8_t> row(16, static_cast<std::uint8_t>(10 * y));
-    JSAMPROW rows = row.data();
-    jpeg_write_scanlines(&info, &rows, 1);
-  }
-  jpeg_finish_compress(&info);
-  std::string content(reinterpret_cast<const char*>(bytes), size);
-  jpeg_destroy_compress(&info);
-  std::free(bytes);
-  return content;
-}
-
 TEST(GrayImage, MayBeAJpegWhateverItsName) {
   const test::TempFolder folder;
-  const auto found = readGrayImage(folder.write("a.png", grayJpeg()));
+  const test::JpegKind gray{.given = JCS_GRAYSCALE, .written = JCS_GRAYSCALE, .quality = 100};
+  const auto rowOf = [](unsigned row) { return std::vector<std::uint8_t>{static_cast<std::uint8_t>(10 * row)}; };
+  const auto found = readGrayImage(folder.write("a.png", test::jpegFile(16, rowOf, gray)));
   const auto* image = std::get_if<GrayImage>(&found);
   ASSERT_NE(image, nullptr) << std::get<Problem>(found).text;
   EXPECT_EQ(image->height, 16U);

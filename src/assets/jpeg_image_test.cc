@@ -3,65 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include <jpeglib.h>
+#include "support/jpeg_file.hh"
 
 namespace pongsim::assets {
 namespace {
 
-/// Settings of the written file.
-struct JpegKind {
-  J_COLOR_SPACE given = JCS_RGB;
-  J_COLOR_SPACE written = JCS_YCbCr;
-  bool isProgressive = false;
-  bool hasAdobeMarker = false;
-  /// One scan for each frequency of each colour, 190 in all.
-  bool hasManyScans = false;
-};
-
-/// @param color Colour of all pixels, with as many bytes as `kind.given` has components.
-std::string jpegFile(unsigned edge, const std::vector<std::uint8_t>& color, const JpegKind& kind) {
-  jpeg_compress_struct info;
-  jpeg_error_mgr errors;
-  info.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&info);
-  unsigned char* bytes = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&info, &bytes, &size);
-  info.image_width = info.image_height = edge;
-  info.input_components = static_cast<int>(color.size());
-  info.in_color_space = kind.given;
-  jpeg_set_defaults(&info);
-  jpeg_set_colorspace(&info, kind.written);
-  info.write_Adobe_marker = kind.hasAdobeMarker ? TRUE : FALSE;
-  if (kind.isProgressive) jpeg_simple_progression(&info);
-  std::vector<jpeg_scan_info> scans;
-  if (kind.hasManyScans) {
-    scans.push_back({3, {0, 1, 2, 0}, 0, 0, 0, 0});
-    for (int component = 0; component < 3; ++component) {
-      for (int frequency = 1; frequency < 64; ++frequency) {
-        scans.push_back({1, {component, 0, 0, 0}, frequency, frequency, 0, 0});
-      }
-    }
-    info.scan_info = scans.data();
-    info.num_scans = static_cast<int>(scans.size());
-  }
-  jpeg_start_compress(&info, TRUE);
-  std::vector<std::uint8_t> row;
-  for (unsigned i = 0; i < edge; ++i) row.insert(row.end(), color.begin(), color.end());
-  JSAMPROW rows = row.data();
-  while (info.next_scanline < edge) jpeg_write_scanlines(&info, &rows, 1);
-  jpeg_finish_compress(&info);
-  std::string file(reinterpret_cast<const char*>(bytes), size);
-  jpeg_destroy_compress(&info);
-  std::free(bytes);
-  return file;
-}
+using test::jpegFile;
+using test::JpegKind;
 
 TEST(JpegImage, GivesItsColorsOfWhateverKindItIs) {
   struct Case {
