@@ -71,6 +71,20 @@ inline description::Joint makeJoint(std::string name, description::JointType typ
   return joint;
 }
 
+/// A base and an arm beside it, both free to move unless the base is fixed to the world.
+inline description::World twoLinks(description::JointType type, const Vector3& axis, bool baseIsFixed = true) {
+  description::Model model = makeModel(
+      "model", {makeLink("base", {0, 0, 0}, 5, {0.5, 0.5, 0.5}), makeLink("arm", {1, 0, 0}, 1, {0.1, 0.1, 0.1})});
+  model.joints.push_back(makeJoint("joint", type, "base", "arm", at(1, 0, 0), Pose(), axis));
+  if (baseIsFixed) {
+    model.joints.push_back(makeJoint("root", description::JointType::kFixed, "world", "base", Pose(), Pose()));
+  }
+  description::World world;
+  world.gravity.setZero();
+  world.models = {model};
+  return world;
+}
+
 /// A housing of 4 kg with two gears on it, their axes square to each other, and the gearbox between them as the last
 /// joint: "b" turns -`ratio` times as far as "a". Joints: 0 and 1 the hinges of a and b, 2 the gearbox.
 inline description::Model makeGearTrain(double ratio) {
