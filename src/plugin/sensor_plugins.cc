@@ -35,14 +35,17 @@ constexpr auto kRows = std::to_array<Row>({
 
 }  // namespace
 
-description::Plugin sensorPlugin(std::string_view sensorType) {
+description::Plugin fortressPlugin(std::string_view system, std::string_view className) {
   description::Plugin plugin;
-  const auto row = std::ranges::find(kRows, sensorType, &Row::sensorType);
-  if (row == kRows.end()) return plugin;
-  plugin.filename = "ignition-gazebo-" + std::string(row->system) + "-system";
-  plugin.className = "ignition::gazebo::systems::" + std::string(row->className);
+  plugin.filename = "ignition-gazebo-" + std::string(system) + "-system";
+  plugin.className = "ignition::gazebo::systems::" + std::string(className);
   plugin.sdf.name = "plugin";
   return plugin;
+}
+
+description::Plugin sensorPlugin(std::string_view sensorType) {
+  const auto row = std::ranges::find(kRows, sensorType, &Row::sensorType);
+  return row == kRows.end() ? description::Plugin() : fortressPlugin(row->system, row->className);
 }
 
 void SensorCheck::add(const Declaration& system) {

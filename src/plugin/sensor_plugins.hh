@@ -13,6 +13,11 @@
 
 namespace pongsim::plugin {
 
+/// @param system "imu"
+/// @param className "Imu"
+/// @return A plugin with the names of one of Fortress's systems.
+description::Plugin fortressPlugin(std::string_view system, std::string_view className);
+
 /// @return The plugin of Fortress that simulates sensors of this type, without a filename if no plugin does.
 description::Plugin sensorPlugin(std::string_view sensorType);
 

@@ -9,6 +9,7 @@
 
 #include "plugin/sensor_plugins.hh"
 #include "pongsim/node.hh"
+#include "sim/plugin_elements.hh"
 
 namespace pongsim::sim {
 
@@ -34,14 +35,7 @@ std::vector<description::Plugin> pluginsFor(const std::vector<description::Model
   std::vector<description::Plugin> plugins;
   for (const description::Model& model : models) addSensorPlugins(model, plugins);
   if (plugins.empty()) return plugins;
-  for (const auto& [system, className] :
-       {std::pair("scene-broadcaster", "SceneBroadcaster"), std::pair("physics", "Physics")}) {
-    description::Plugin plugin;
-    plugin.filename = "ignition-gazebo-" + std::string(system) + "-system";
-    plugin.className = "ignition::gazebo::systems::" + std::string(className);
-    plugin.sdf.name = "plugin";
-    plugins.insert(plugins.begin(), std::move(plugin));
-  }
+  plugins.insert(plugins.begin(), {plugin::fortressPlugin("physics", "Physics"), defaultSceneBroadcaster()});
   return plugins;
 }
 

@@ -1,19 +1,14 @@
 #include "sim/plugin_elements.hh"
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
+#include "plugin/sensor_plugins.hh"
 #include "plugin/system_name.hh"
 
 namespace pongsim::sim {
 
 namespace {
-
-std::string attributeOf(const Element& element, const char* name) {
-  const Element::Attribute* attribute = element.attribute(name);
-  return attribute == nullptr ? std::string() : attribute->value;
-}
 
 /// @return A class name without namespaces, because libraries register a system under several namespaces.
 std::string_view plainName(std::string_view className) {
@@ -24,17 +19,13 @@ std::string_view plainName(std::string_view className) {
 }  // namespace
 
 description::Plugin defaultSceneBroadcaster() {
-  description::Plugin plugin;
-  plugin.filename = "ignition-gazebo-scene-broadcaster-system";
-  plugin.className = "ignition::gazebo::systems::SceneBroadcaster";
-  plugin.sdf.name = "plugin";
-  return plugin;
+  return plugin::fortressPlugin("scene-broadcaster", "SceneBroadcaster");
 }
 
 std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
   std::vector<description::Plugin> plugins;
   for (const Element& each : elements)
-    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
+    plugins.push_back({each.attributeOr("filename", ""), each.attributeOr("name", ""), each});
   return plugins;
 }
 

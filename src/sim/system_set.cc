@@ -173,7 +173,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   const bool isInWorld = holder.model == world::kNoSlot && holder.actor == nullptr;
   if (isOfSensors(*declaration) && !isInWorld) {
     if (hasOfWorld(*declaration)) return;
-    number = kBrought + brought_++;
+    number = kBrought + countBrought();
     endsWithReset = holder.model != world::kNoSlot && access_.entities.models()[holder.model].id > lastOfFile_;
   } else if (holder.model != world::kNoSlot) {
     const world::ModelRecord& record = access_.entities.models()[holder.model];
@@ -190,6 +190,12 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
          std::move(system), *std::move(declaration), actor ? actor->id() : ActorId(), where(), false,
          origin.isFromOutside, endsWithReset},
         model, actor, diagnostics);
+}
+
+std::size_t SystemSet::countBrought() const {
+  const auto count = std::ranges::count_if(
+      slots_, [](const SystemSlot& slot) { return !slot.isAdded() && slot.number() >= kBrought; });
+  return static_cast<std::size_t>(count);
 }
 
 bool SystemSet::hasOfWorld(const Declaration& declaration) const {
@@ -358,8 +364,6 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   end([&](const SystemSlot& slot) {
     return slot.endsWithReset() || (slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot);
   });
-  brought_ = static_cast<std::size_t>(
-      std::ranges::count_if(slots_, [](const SystemSlot& slot) { return slot.number() >= kBrought; }));
   collect();
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);

@@ -119,6 +119,8 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
+  /// @return Number of world systems that came from `<plugin>`s of models and actors.
+  std::size_t countBrought() const;
   /// @return Whether the world already has such a system.
   bool hasOfWorld(const Declaration& declaration) const;
   /// Warns of plugins that were left out, and of sensors that no system simulates.
@@ -166,8 +168,6 @@ class SystemSet {
   /// Removed models of the file, whose systems have ended with them; a reset makes both again.
   std::vector<ModelId> unloaded_;
   ModelId lastOfFile_;
-  /// Number of world systems that come from models and actors.
-  std::size_t brought_ = 0;
   std::optional<std::string> failure_;
   EditQueue queue_;
   /// The systems that advertise each topic.
