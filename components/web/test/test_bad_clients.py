@@ -9,7 +9,7 @@ import sys
 import time
 import unittest
 
-from web_world import ROOT, Connection, running
+from web_world import ROOT, Connection, running, until
 
 WORLD = ROOT / "worlds/pong_world.sdf"
 MEGABYTE = 1 << 20
@@ -19,15 +19,6 @@ def memory(pid):
     """Resident bytes of a process."""
     pages = int(pathlib.Path(f"/proc/{pid}/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE")
-
-
-def until(condition, what):
-    end = time.monotonic() + 60
-    while time.monotonic() < end:
-        if condition():
-            return
-        time.sleep(0.02)
-    raise AssertionError(f"waited in vain for {what}")
 
 
 def listen(connection, topics):

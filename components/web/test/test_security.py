@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
-from web_world import EMPTY_WORLD, ROOT, Connection, ended, running
+from web_world import EMPTY_WORLD, ROOT, Connection, ended, running, until
 
 WORLD = ROOT / "worlds/pong_world.sdf"
 
@@ -36,6 +36,10 @@ class Security(unittest.TestCase):
     def status(self, host, port, **headers):
         with Connection(host, port) as connection:
             return connection.open(**headers)
+
+    def status_of_asset(self, host, port, file):
+        with Connection(host, port) as connection:
+            return connection.get(f"/assets{file}")[0]
 
     def test_foreign_pages_and_names_are_refused(self):
         host, port, token = self.start("--web", "0")
@@ -93,10 +97,9 @@ class Security(unittest.TestCase):
         with Connection(host, port) as client:
             self.assertEqual(client.open(), 101)
             self.simulation.wait_for(f"mesh '{private}/box.obj' is not found: .*\n.*PONGSIM_RESOURCE_PATH")
-            for file, status in ((private / "photo.png", 404), (private / "box.obj", 404), (models / "photo.png", 404),
-                                 (models / "box.obj", 200)):
-                with Connection(host, port) as connection:
-                    self.assertEqual(connection.get(f"/assets{file}")[0], status, file)
+            until(lambda: self.status_of_asset(host, port, models / "box.obj") == 200, "the mesh of the model's folder")
+            for file in (private / "photo.png", private / "box.obj", models / "photo.png"):
+                self.assertEqual(self.status_of_asset(host, port, file), 404, file)
 
     @unittest.skipUnless(shutil.which("openssl"), "makes a certificate with openssl")
     def test_tls_with_a_given_certificate(self):

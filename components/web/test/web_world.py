@@ -30,6 +30,16 @@ PHYSICS = "<plugin filename='ignition-gazebo-physics-system' name='ignition::gaz
 EMPTY_WORLD = "<sdf version='1.9'><world name='w'>" + PHYSICS + "{}</world></sdf>"
 
 
+def until(condition, what):
+    """Waits until the condition holds."""
+    end = time.monotonic() + DEADLINE
+    while time.monotonic() < end:
+        if condition():
+            return
+        time.sleep(0.02)
+    raise AssertionError(f"waited in vain for {what}")
+
+
 class Simulation:
     """`pongsim run`, whose output is read while it runs."""
 
