@@ -1,5 +1,5 @@
 /// The interface of the 3D view. It is independent of the connection: the page passes in scenes, poses and files.
-export type { Direction } from './camera/eye.ts';
+export type { Direction } from './camera/orbit_camera.ts';
 export type { Pose } from './maths/placement.ts';
 export type { Message } from './messages.ts';
 export type { Frame } from './scene/places.ts';

@@ -1,8 +1,8 @@
 import { PCFShadowMap, Sphere, type Vector3, WebGLRenderer } from 'three';
 
-import { type Direction, Eye } from './camera/eye.ts';
+import { type Direction, OrbitCamera } from './camera/orbit_camera.ts';
 import { keyMove } from './camera/keys.ts';
-import { Pace } from './camera/pace.ts';
+import { AdaptiveResolution } from './camera/adaptive_resolution.ts';
 import { Pointer } from './camera/pointer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, ModelMessage, SceneMessage } from './messages.ts';
@@ -45,7 +45,7 @@ export class View {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   // calls sceneChanged, because in a large scene the region with shadows follows the target of the viewpoint
-  private readonly eye = new Eye(() => this.sceneChanged());
+  private readonly orbitCamera = new OrbitCamera(() => this.sceneChanged());
   private readonly shown = new Shown();
   private readonly stage: Stage;
   private readonly marked: Marked;
@@ -68,7 +68,7 @@ export class View {
   private ghost: Ghost | null = null;
   private recorder: Recorder | null = null;
   private nextFrame: number | null = null;
-  private readonly pace = new Pace();
+  private readonly resolution = new AdaptiveResolution();
   private rest: ReturnType<typeof setTimeout> | undefined;
   private needsShadows = true;
 
@@ -106,17 +106,17 @@ export class View {
     this.scans = new Sensed(this.stage, () => new Scan());
     this.clouds = new Sensed(this.stage, () => new Cloud());
     this.drag = new Drag(this.stage.places, invalidate);
-    this.handles = new Handles(this.eye.camera, this.canvas, this.stage.root, {
+    this.handles = new Handles(this.orbitCamera.camera, this.canvas, this.stage.root, {
       moved: (placement, during) => this.handlesMoved(poseOf(placement), during),
-      busy: (isBusy) => (this.eye.controls.enabled = !isBusy),
+      busy: (isBusy) => (this.orbitCamera.controls.enabled = !isBusy),
       changed: invalidate,
     });
-    this.pointer = new Pointer(this.canvas, this.eye.controls, {
+    this.pointer = new Pointer(this.canvas, this.orbitCamera.controls, {
       turns: (x, y) => this.turnAround(x, y),
       click: (x, y) => this.clicked(x, y),
       hover: (x, y) => this.hovered(x, y),
     });
-    this.eye.controls.connect(this.canvas);
+    this.orbitCamera.controls.connect(this.canvas);
     const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object];
     this.stage.root.add(this.grid, ...over);
     this.sizes = new ResizeObserver(() => this.resize());
@@ -150,7 +150,7 @@ export class View {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     this.setScale(1);
-    this.eye.resize(width, height);
+    this.orbitCamera.resize(width, height);
     this.invalidate();
   }
 
@@ -174,7 +174,7 @@ export class View {
     this.nextFrame ??= requestAnimationFrame((now) => {
       this.nextFrame = null;
       // the resolution must not change within a video
-      const scale = this.recorder ? 1 : this.pace.next(now);
+      const scale = this.recorder ? 1 : this.resolution.next(now);
       this.setScale(scale);
       this.draw();
       if (this.recorder) this.invalidate();
@@ -205,12 +205,12 @@ export class View {
       this.clouds.update();
     }
     if (moved.length > 0 || this.needsShadows) this.renewShadows();
-    this.renderer.render(this.stage.root, this.eye.camera);
+    this.renderer.render(this.stage.root, this.orbitCamera.camera);
   }
 
   private renewShadows(): void {
     this.needsShadows = false;
-    this.stage.aimShadows(this.eye.target);
+    this.stage.aimShadows(this.orbitCamera.target);
     this.renderer.shadowMap.needsUpdate = true;
   }
 
@@ -259,34 +259,34 @@ export class View {
 
   follow(entity: number | null): void {
     this.followed = entity === null ? null : { entity, last: this.stage.places.position(entity)?.clone() ?? null };
-    if (this.followed?.last) this.eye.shift(this.followed.last.clone().sub(this.eye.target));
+    if (this.followed?.last) this.orbitCamera.shift(this.followed.last.clone().sub(this.orbitCamera.target));
   }
 
   private goAlong(): void {
     if (this.followed === null) return;
     const now = this.stage.places.position(this.followed.entity)?.clone() ?? null;
     const { last } = this.followed;
-    if (now && last) this.eye.shift(now.clone().sub(last));
+    if (now && last) this.orbitCamera.shift(now.clone().sub(last));
     this.followed.last = now;
   }
 
   /// Moves the viewpoint so that the whole entity is visible.
   lookAt(entity: number): void {
     const { center, radius } = this.stage.boundsOf(entity).getBoundingSphere(new Sphere());
-    if (radius > 0) this.eye.lookAt(center, radius);
+    if (radius > 0) this.orbitCamera.lookAt(center, radius);
   }
 
   lookFrom(direction: Direction): void {
-    this.eye.lookFrom(direction);
+    this.orbitCamera.lookFrom(direction);
   }
 
   /// Sets the viewpoint, a pose whose x axis is the line of sight, with z up.
   setCamera(pose: Pose): void {
-    this.eye.placement = placementOfPose(pose);
+    this.orbitCamera.placement = placementOfPose(pose);
   }
 
   camera(): Pose {
-    return poseOf(this.eye.placement);
+    return poseOf(this.orbitCamera.placement);
   }
 
   /// Shows or hides an overlay for one entity with its parts, or for all.
@@ -306,7 +306,7 @@ export class View {
 
   setShadows(on: boolean): void {
     this.wantsShadows = on;
-    this.stage.lamps.setShadows(on && this.sceneShadows);
+    this.stage.lights.setShadows(on && this.sceneShadows);
     this.sceneChanged();
   }
 
@@ -381,13 +381,13 @@ export class View {
 
   /// Sets the centre of rotation to the point under the pointer.
   private turnAround(x: number, y: number): void {
-    const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
-    if (met && met.hit.distance < 200) this.eye.turnAround(met.hit.distance);
+    const met = this.stage.batches.meet(this.orbitCamera.rayThrough(x, y))[0];
+    if (met && met.hit.distance < 200) this.orbitCamera.turnAround(met.hit.distance);
   }
 
   private hovered(x: number, y: number): void {
     if (this.ghost === null) return;
-    const ray = this.eye.rayThrough(x, y);
+    const ray = this.orbitCamera.rayThrough(x, y);
     this.ghost.put(groundUnder(ray, this.stage.batches.meet(ray)[0]?.hit.point ?? null));
     this.invalidate();
   }
@@ -401,7 +401,7 @@ export class View {
       this.options.onPlace?.(poseOf(placement));
       return;
     }
-    const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
+    const met = this.stage.batches.meet(this.orbitCamera.rayThrough(x, y))[0];
     const place = met && this.stage.content.places.get(met.item.visual.place);
     this.options.onPick?.(place ? place.model : null);
   }
@@ -411,8 +411,8 @@ export class View {
     if (move === null) return;
     event.preventDefault();
     event.stopPropagation();
-    if ('turn' in move) this.eye.turn(...move.turn);
-    else this.eye.zoom(move.zoom);
+    if ('turn' in move) this.orbitCamera.turn(...move.turn);
+    else this.orbitCamera.zoom(move.zoom);
   }
 
   private giveUp(event: KeyboardEvent): void {
@@ -454,7 +454,7 @@ export class View {
     this.end.abort();
     this.sizes.disconnect();
     this.pointer.dispose();
-    this.eye.controls.dispose();
+    this.orbitCamera.controls.dispose();
     this.drag.dispose();
     this.handles.dispose();
     this.scans.clear();

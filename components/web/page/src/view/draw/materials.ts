@@ -20,24 +20,24 @@ export interface Style {
 }
 
 /// Maximum number of lights, equal to that of the simulated cameras.
-export const mostLamps = 16;
+export const mostLights = 16;
 
 /// Attenuation of each light: constant, linear and quadratic factor, and the falloff of a spot. A light's `decay` is
 /// its index here.
-export const attenuations = { value: Array.from({ length: mostLamps }, () => new Vector4(1, 0, 0, 1)) };
+export const attenuations = { value: Array.from({ length: mostLights }, () => new Vector4(1, 0, 0, 1)) };
 
 // replaces three's function, which has neither constant and linear factors nor a falloff
 const attenuationFunction = `
-uniform vec4 attenuations[${mostLamps}];
-float getDistanceAttenuation(const in float far, const in float range, const in float lamp) {
+uniform vec4 attenuations[${mostLights}];
+float getDistanceAttenuation(const in float far, const in float range, const in float light) {
   if (range > 0.0 && far > range) return 0.0;
-  vec4 shares = attenuations[int(lamp + 0.5)];
+  vec4 shares = attenuations[int(light + 0.5)];
   return 1.0 / max(shares.x + shares.y * far + shares.z * far * far, 1e-3);
 }
-float getSpotAttenuation(const in float outer, const in float inner, const in float angle, const in float lamp) {
+float getSpotAttenuation(const in float outer, const in float inner, const in float angle, const in float light) {
   float within = (angle - outer) / max(inner - outer, 1e-5);
   if (within <= 0.0) return 0.0;
-  return pow(min(within, 1.0), max(attenuations[int(lamp + 0.5)].w, 1e-3));
+  return pow(min(within, 1.0), max(attenuations[int(light + 0.5)].w, 1e-3));
 }
 `;
 

@@ -24,7 +24,7 @@ const vertexShader = `
 varying vec3 direction;
 void main() {
   direction = position;
-  // always centred on the eye, behind everything
+  // always centred on the camera, behind everything
   gl_Position = (projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0)).xyww;
 }`;
 

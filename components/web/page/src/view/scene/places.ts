@@ -27,17 +27,17 @@ function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, a
 export class Places {
   private places: ReadonlyMap<number, Place> = new Map();
   /// Lights and sensors of links by link id: they are not in frames, and move with their link.
-  private readonly riders = new Map<number, number[]>();
+  private readonly attached = new Map<number, number[]>();
   private readonly moved = new Set<number>();
   private held: { model: number; X_WorldModel: Placement } | null = null;
 
   set(places: ReadonlyMap<number, Place>): void {
     this.places = places;
     this.moved.clear();
-    this.riders.clear();
+    this.attached.clear();
     for (const place of places.values()) {
       this.moved.add(place.id);
-      if (isRider(place)) this.riders.set(place.parent, [...(this.riders.get(place.parent) ?? []), place.id]);
+      if (isAttached(place)) this.attached.set(place.parent, [...(this.attached.get(place.parent) ?? []), place.id]);
     }
     if (this.held && !places.has(this.held.model)) this.held = null;
   }
@@ -79,7 +79,7 @@ export class Places {
     if (held === null) return;
     for (const place of this.places.values()) {
       const shown = isWithin(this.places, place.id, held.model) && place.id !== held.model ? this.shown(place.id) : null;
-      if (shown && !isRider(place)) place.X_WorldPlace = shown;
+      if (shown && !isAttached(place)) place.X_WorldPlace = shown;
     }
     const model = this.places.get(held.model);
     if (model) model.X_WorldPlace = held.X_WorldModel;
@@ -90,7 +90,7 @@ export class Places {
   shown(id: number): Placement | null {
     const place = this.places.get(id);
     if (place === undefined) return null;
-    if (isRider(place)) {
+    if (isAttached(place)) {
       const link = this.shown(place.parent);
       return link && times(link, place.X_ParentPlace);
     }
@@ -119,10 +119,10 @@ export class Places {
     }
     const ids = [...this.moved];
     this.moved.clear();
-    return ids.flatMap((id) => [id, ...(this.riders.get(id) ?? [])]);
+    return ids.flatMap((id) => [id, ...(this.attached.get(id) ?? [])]);
   }
 }
 
-function isRider(place: Place): boolean {
+function isAttached(place: Place): boolean {
   return place.parent !== 0 && (place.kind === 'light' || place.kind === 'sensor');
 }

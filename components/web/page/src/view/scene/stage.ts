@@ -4,7 +4,7 @@ import { groundGeometry, grayPictureOf } from '../assets/heightmap.ts';
 import { Meshes } from '../assets/meshes.ts';
 import { type MeshPart, mirrored } from '../assets/mesh_parts.ts';
 import { Batches, type Item } from '../draw/batches.ts';
-import { Lamps, shadowRegion } from '../draw/lamps.ts';
+import { Lights, shadowRegion } from '../draw/lights.ts';
 import { Materials, type Style, mirroredSky, withAttenuation } from '../draw/materials.ts';
 import { type Paint, greyPaint, paintOf, rgbOf } from '../draw/paint.ts';
 import { type Form, formOf } from '../draw/shapes.ts';
@@ -29,7 +29,7 @@ export class Stage {
   readonly root = new Scene();
   readonly places = new Places();
   readonly batches: Batches;
-  readonly lamps = new Lamps();
+  readonly lights = new Lights();
   content: Content = contentOf({});
   private readonly textures: Textures;
   private readonly materials: Materials;
@@ -46,7 +46,7 @@ export class Stage {
     this.materials = new Materials(this.textures, withAttenuation(ShaderChunk.lights_pars_begin));
     this.meshes = new Meshes(options.asset, (address, bytes) => this.textures.embed(address, bytes));
     this.batches = new Batches(this.materials);
-    this.root.add(this.batches.group, this.lamps.group);
+    this.root.add(this.batches.group, this.lights.group);
   }
 
   dispose(): void {
@@ -67,8 +67,8 @@ export class Stage {
     this.content = contentOf(scene);
     this.meshes.retry();
     this.places.set(this.content.places);
-    this.lamps.setAmbient(scene.ambient);
-    this.lamps.set(this.content.lights, (id) => this.places.shown(id) ?? noPlacement());
+    this.lights.setAmbient(scene.ambient);
+    this.lights.set(this.content.lights, (id) => this.places.shown(id) ?? noPlacement());
     this.setSurroundings(scene);
     this.restyle();
   }
@@ -203,7 +203,7 @@ export class Stage {
       const matrix = this.batches.has(id) ? this.places.matrix(id, this.matrix) : null;
       if (matrix) this.batches.move(id, matrix);
       const light = this.content.lights.has(id) ? this.places.shown(id) : null;
-      if (light) this.lamps.move(id, light);
+      if (light) this.lights.move(id, light);
     }
     return ids;
   }
@@ -216,7 +216,7 @@ export class Stage {
       const matrix = inPlace.isEmpty() ? null : this.places.matrix(place, this.matrix);
       if (matrix) casters.union(box.copy(inPlace).applyMatrix4(matrix));
     }
-    this.lamps.aimShadows(shadowRegion(casters, target));
+    this.lights.aimShadows(shadowRegion(casters, target));
   }
 
   /// Bounding box of the visible parts of an entity, in the given frame; a small box if it has none.

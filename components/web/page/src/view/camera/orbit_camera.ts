@@ -37,7 +37,7 @@ function anglesOf(sight: Vector3): [yaw: number, pitch: number] {
 }
 
 /// The camera of the view, with z up. It looks at a target, around which three's OrbitControls rotate it.
-export class Eye {
+export class OrbitCamera {
   readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, farthest);
   readonly controls: OrbitControls;
 

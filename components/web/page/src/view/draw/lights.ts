@@ -14,7 +14,7 @@ import {
 import type { Placement } from '../maths/placement.ts';
 import type { ColorMessage, LightMessage } from '../messages.ts';
 import { lightDirection } from '../scene/content.ts';
-import { attenuations, mostLamps } from './materials.ts';
+import { attenuations, mostLights } from './materials.ts';
 import { rgbOf } from './paint.ts';
 
 const mostShadows = 4;
@@ -22,12 +22,12 @@ const shadowEdge = 2048;
 // radius of the region with shadows, around the target of the viewpoint, in larger scenes [m]
 const mostShadowRadius = 25;
 
-type Shining = DirectionalLight | PointLight | SpotLight;
+type ThreeLight = DirectionalLight | PointLight | SpotLight;
 
-interface Lamp {
-  light: Shining;
+interface SceneLight {
+  light: ThreeLight;
   message: LightMessage;
-  throwsShadow: boolean;
+  castsShadow: boolean;
   /// Direction of a directional light, in world coordinates.
   direction: Vector3;
 }
@@ -46,10 +46,10 @@ export function shadowRegion(casters: Box3, target: Vector3): Sphere | null {
 }
 
 /// The lights of a scene.
-export class Lamps {
+export class Lights {
   readonly group = new Group();
   private readonly ambient = new AmbientLight(new Color(0.4, 0.4, 0.4));
-  private readonly lamps = new Map<number, Lamp>();
+  private readonly lights = new Map<number, SceneLight>();
   private hasShadows = true;
 
   constructor() {
@@ -64,50 +64,50 @@ export class Lamps {
   /// Enables or disables all shadows.
   setShadows(on: boolean): void {
     this.hasShadows = on;
-    for (const { light, throwsShadow } of this.lamps.values()) light.castShadow = throwsShadow && on;
+    for (const { light, castsShadow } of this.lights.values()) light.castShadow = castsShadow && on;
   }
 
   set(lights: ReadonlyMap<number, LightMessage>, placeOf: (id: number) => Placement): void {
-    for (const { light } of this.lamps.values()) {
+    for (const { light } of this.lights.values()) {
       this.group.remove(light, 'target' in light ? light.target : light);
       light.dispose();
     }
-    this.lamps.clear();
+    this.lights.clear();
     let shadows = 0;
-    for (const [id, message] of [...lights].slice(0, mostLamps)) {
+    for (const [id, message] of [...lights].slice(0, mostLights)) {
       if ((message.intensity ?? 1) <= 0) continue;
-      const lamp: Lamp = { light: shiningOf(message), message, throwsShadow: false, direction: new Vector3() };
-      const number = this.lamps.size;
+      const entry: SceneLight = { light: threeLightOf(message), message, castsShadow: false, direction: new Vector3() };
+      const number = this.lights.size;
       attenuations.value[number]?.set(
         message.attenuationConstant ?? 1,
         message.attenuationLinear ?? 0,
         message.attenuationQuadratic ?? 0,
         message.spotFalloff ?? 0,
       );
-      if (!(lamp.light instanceof DirectionalLight)) lamp.light.decay = number;
-      if (message.castShadows && !(lamp.light instanceof PointLight) && shadows < mostShadows) {
+      if (!(entry.light instanceof DirectionalLight)) entry.light.decay = number;
+      if (message.castShadows && !(entry.light instanceof PointLight) && shadows < mostShadows) {
         ++shadows;
-        lamp.throwsShadow = true;
-        prepareShadow(lamp.light, this.hasShadows);
+        entry.castsShadow = true;
+        prepareShadow(entry.light, this.hasShadows);
       }
-      this.lamps.set(id, lamp);
-      this.group.add(lamp.light);
-      if ('target' in lamp.light) this.group.add(lamp.light.target);
+      this.lights.set(id, entry);
+      this.group.add(entry.light);
+      if ('target' in entry.light) this.group.add(entry.light.target);
       this.move(id, placeOf(id));
     }
   }
 
   move(id: number, X_WorldLight: Placement): void {
-    const lamp = this.lamps.get(id);
-    if (lamp === undefined) return;
-    lamp.direction = lightDirection(lamp.message).applyQuaternion(X_WorldLight.rotation);
-    lamp.light.position.copy(X_WorldLight.position);
-    if ('target' in lamp.light) lamp.light.target.position.copy(X_WorldLight.position).add(lamp.direction);
+    const entry = this.lights.get(id);
+    if (entry === undefined) return;
+    entry.direction = lightDirection(entry.message).applyQuaternion(X_WorldLight.rotation);
+    entry.light.position.copy(X_WorldLight.position);
+    if ('target' in entry.light) entry.light.target.position.copy(X_WorldLight.position).add(entry.direction);
   }
 
   /// Fits the shadow cameras of directional lights to a region. The position of such a light has no other effect.
   aimShadows(region: Sphere | null): void {
-    for (const { light, direction } of this.lamps.values()) {
+    for (const { light, direction } of this.lights.values()) {
       if (!(light instanceof DirectionalLight) || region === null) continue;
       const { radius, center } = region;
       light.target.position.copy(center);
@@ -123,7 +123,7 @@ export class Lamps {
   }
 }
 
-function shiningOf(message: LightMessage): Shining {
+function threeLightOf(message: LightMessage): ThreeLight {
   const color = colorOfLight(message);
   const range = message.range ?? 0;
   if (message.type === 2) return new DirectionalLight(color);

@@ -10,7 +10,7 @@ const enough = 8;
 const pause = 1000;
 
 /// Chooses the resolution while things move: reduced if the browser can't keep up.
-export class Pace {
+export class AdaptiveResolution {
   private level = 0;
   private last = -Infinity;
   private took: number[] = [];
