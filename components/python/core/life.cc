@@ -43,6 +43,24 @@ Simulation& Life::edit(const char* what) const {
 void Life::close() {
   if (simulation_ == nullptr) return;
   if (stepper_ != 0) raise("Busy", "a simulation can't be closed while it steps");
+  const Outcome<void> done = finish();
+  release();
+  if (!done) raise("SystemFailed", done.error);
+}
+
+Outcome<void> Life::finish() {
+  begin();
+  Outcome<void> done;
+  {
+    const py::gil_scoped_release released;
+    done = simulation_->finish();
+  }
+  end();
+  return done;
+}
+
+void Life::release() {
+  if (simulation_ == nullptr) return;
   for (const std::weak_ptr<Pending>& each : std::exchange(pending_, {})) {
     if (const auto pending = each.lock()) pending->letGo();
   }

@@ -59,7 +59,7 @@ class Life {
   /// @param transport Null: the simulation's own.
   Life(std::unique_ptr<Transport> transport, std::unique_ptr<Simulation> simulation)
       : transport_(std::move(transport)), simulation_(std::move(simulation)) {}
-  ~Life() { close(); }
+  ~Life() { release(); }
 
   /// @return The simulation, for reading or commanding, also during a step.
   /// @throws Gone if it is closed, Busy if another thread is stepping it.
@@ -71,8 +71,11 @@ class Life {
   bool isClosed() const { return simulation_ == nullptr; }
   bool isStepping() const { return stepper_ != 0; }
 
-  /// Ends the simulation; any access raises Gone from then on.
+  /// Lets the systems complete what they write, and ends the simulation; any access raises Gone from then on.
+  /// Raises SystemFailed if a file is not complete; the simulation has ended nevertheless.
   void close();
+  /// Ends the simulation without reporting whether its files are complete.
+  void release();
 
   /// Keeps an object for C++ to call.
   std::shared_ptr<Kept> keep(py::object object);
@@ -90,7 +93,7 @@ class Life {
   /// Makes the calling thread the one that steps it, within `steppingAll`. Without the GIL.
   void takeOver() { stepper_ = PyThread_get_thread_ident(); }
 
-  /// Raises what a step has thrown: SystemFailed, with the exception of the Python system that failed.
+  /// Raises what a step or the end has reported: SystemFailed, with the exception of the Python system that failed.
   [[noreturn]] void raiseFailure(const char* what) const;
 
   /// Whether the steps should end because a callback raised an exception or a signal arrived. Called in a step, without
@@ -118,6 +121,7 @@ class Life {
   void checkThread() const;
   void begin();
   void end();
+  Outcome<void> finish();
   void raiseNoted();
   void forgetNoted();
 

@@ -14,7 +14,7 @@ struct Owner {
   explicit Owner(std::shared_ptr<Life> owned) : life(std::move(owned)) {}
   Owner(Owner&&) = default;
   ~Owner() {
-    if (life) life->close();
+    if (life) life->release();
   }
   std::shared_ptr<Life> life;
   std::vector<Diagnostic> found;

@@ -254,7 +254,7 @@ void setUpCollection(PyHeapTypeObject* heapType) {
   };
   type.tp_clear = [](PyObject* self) -> int {
     const Owner* owner = ownerIn(self);
-    if (owner != nullptr && owner->life) owner->life->close();
+    if (owner != nullptr && owner->life) owner->life->release();
     return 0;
   };
 }
@@ -310,17 +310,19 @@ void bindRun(py::class_<Owner>& simulation) {
       .def("save", &save,
            "Returns everything that the next steps depend on, as bytes for `restore`. Messages in transit are not "
            "included.")
-      .def("restore", &restore, py::arg("state"),
-           "Restores a saved state, from which the world continues with the same bits. Raises Refused for a state of "
-           "another world, or with other models, joints or systems, and for one that is damaged or forged; then nothing "
-           "has changed.")
+      .def(
+          "restore", &restore, py::arg("state"),
+          "Restores a saved state, from which the world continues with the same bits. Raises Refused for a state of "
+          "another world, or with other models, joints or systems, and for one that is damaged or forged; then nothing "
+          "has changed.")
       .def(
           "state_hash", [](Owner& self) { return self.life->use().stateHash(); },
           "A hash of all bits of the state: equal for two runs of the same world with the same seed and inputs. "
           "format(sim.state_hash(), \"016x\") is what `pongsim run --hash` prints.")
       .def(
           "close", [](Owner& self) { self.life->close(); },
-          "Ends the simulation. All its objects raise Gone afterwards.");
+          "Completes what the systems write, and ends the simulation. All its objects raise Gone afterwards. Raises "
+          "SystemFailed if a file is not complete, such as a recording on a full disk; it has ended nevertheless.");
 }
 
 /// What can be read, and the settings that can be changed.

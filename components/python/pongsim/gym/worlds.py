@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .. import _core
 from ..arrays import view
-from ..errors import Gone, NoReading, Refused, WorldWarning
+from ..errors import Gone, NoReading, Refused, SystemFailed, WorldWarning
 from ..simulation import Simulation
 from .parts import Limits, Reading, Steering
 from .pictures import Pictures
@@ -284,10 +284,16 @@ class Worlds:
             raise Gone("the environment is closed")
 
     def close(self) -> None:
-        """Closes all worlds."""
+        """Closes all worlds. Raises the first SystemFailed of those whose files are not complete."""
         self.is_closed = True
+        failed: list[SystemFailed] = []
         for simulation in self.simulations:
-            simulation.close()
+            try:
+                simulation.close()
+            except SystemFailed as error:
+                failed.append(error)
+        if failed:
+            raise failed[0]
 
 
 def _box(limits: Sequence[Limits]) -> spaces.Box:

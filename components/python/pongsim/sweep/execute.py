@@ -9,7 +9,7 @@ import time
 import warnings
 from typing import Any, Iterator
 
-from ..errors import LoadError, WorldWarning, describe
+from ..errors import LoadError, SystemFailed, WorldWarning, describe
 from ..simulation import Simulation
 from . import template, world
 from .errors import SweepError
@@ -71,17 +71,19 @@ class Executor:
             row.reason = describe(error)
         finally:
             row.wall_time = time.perf_counter() - begin
-        if not row.is_done:
-            row.measures, row.state_hash = {}, ""
         if self._sim is not None:
             row.sim_time = self._sim.time
             if not row.is_done or not self._keeps:
-                self._drop()
+                incomplete = self._drop()
+                if row.is_done and incomplete is not None:
+                    row.status, row.reason = "failed", incomplete
+        if not row.is_done:
+            row.measures, row.state_hash = {}, ""
         return row
 
     def close(self) -> None:
         """Closes the world."""
-        self._drop()
+        self._drop_kept()
 
     def _attempt(self, run: Run, row: Row) -> None:
         plan = self.plan
@@ -131,7 +133,7 @@ class Executor:
         if self._sim is not None and text == self._text:
             self._sim.reset(run.seed)
             return self._sim
-        self._drop()
+        self._drop_kept()
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", WorldWarning)
             self._sim = Simulation(text if text is not None else self.plan.world, file=self.plan.world, seed=run.seed, strict=True)
@@ -139,10 +141,21 @@ class Executor:
         self._text = text
         return self._sim
 
-    def _drop(self) -> None:
-        if self._sim is not None:
-            self._sim.close()
-            self._sim = None
+    def _drop(self) -> str | None:
+        """Closes the world. Returns which of its files is not complete."""
+        sim, self._sim = self._sim, None
+        if sim is not None:
+            try:
+                sim.close()
+            except SystemFailed as error:
+                return str(error)
+        return None
+
+    def _drop_kept(self) -> None:
+        """Closes the world of runs that have been reported."""
+        incomplete = self._drop()
+        if incomplete is not None:
+            warnings.warn(incomplete, WorldWarning)
 
 
 def world_of(plan: Plan, run: Run) -> str:
