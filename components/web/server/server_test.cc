@@ -221,6 +221,13 @@ TEST_F(ServerTest, ClosesWhoSendsTooMuch) {
   EXPECT_EQ(greeted()->isConnected(), true);
 }
 
+TEST_F(ServerTest, ReadsAMessageThatIsTooLongToItsEndSoThatTheReasonArrives) {
+  start();
+  const auto client = greeted();
+  EXPECT_TRUE(client->sendText(std::string(std::size_t{5} << 20, 'x')));
+  EXPECT_EQ(client->next().value().closeCode(), 1009);
+}
+
 TEST_F(ServerTest, ClosesWhoSendsRubbish) {
   start();
   const auto notText = greeted();
