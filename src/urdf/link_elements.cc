@@ -6,16 +6,22 @@
 #include <string_view>
 
 #include "base/element_edit.hh"
+#include "urdf/collision_names.hh"
 #include "urdf/pose_element.hh"
 
 namespace pongsim::urdf {
 
 namespace {
 
+/// @return "lidar_collision_1"
+std::string nameInOwnLink(const Shape& part, std::string_view kind, std::size_t number) {
+  const std::string name = (part.name.empty() ? part.ownLink : part.name) + '_' + std::string(kind);
+  return number > 0 ? name + '_' + std::to_string(number) : name;
+}
+
 /// @return Fortress's name for a collision or visual: "base_fixed_joint_lump__lidar_collision_1".
 std::string nameOf(const Shape& part, const Link& link, std::string_view kind, std::size_t number) {
-  std::string name = (part.name.empty() ? part.ownLink : part.name) + '_' + std::string(kind);
-  if (number > 0) name += '_' + std::to_string(number);
+  const std::string name = nameInOwnLink(part, kind, number);
   return name.starts_with(link.name) ? name : link.name + "_fixed_joint_lump__" + name;
 }
 
@@ -66,9 +72,13 @@ class ShapesWriter {
       : target_(target), extensions_(extensions), element_(element) {}
 
   void addCollisions(const Link& source, const Pose& X_TargetSource) {
+    std::size_t number = 0;
     for (const Shape& part : source.collisions) {
       Element& collision = addShape(part, "collision", collisionCount_++, X_TargetSource);
       extensions_.addToCollision(part.ownLink, collision);
+      const std::string converted = collision.attributeOr("name", "");
+      names_.add(part.ownLink, nameInOwnLink(part, "collision", number++), converted);
+      if (!part.name.empty()) names_.add(part.ownLink, part.name, converted);
     }
   }
   void addVisuals(const Link& source, const Pose& X_TargetSource) {
@@ -76,6 +86,14 @@ class ShapesWriter {
       Element& visual = addShape(part, "visual", visualCount_++, X_TargetSource);
       extensions_.addToVisual(part.ownLink, visual);
       if (part.material != nullptr) addColor(part.material->color, positionIn(*part.xml, "material"), visual);
+    }
+  }
+  /// Call it after `addCollisions`, which gives the collisions the names that sensors need.
+  void addExtensions(const Link& source) {
+    const std::size_t first = element_.children.size();
+    extensions_.addToLink(source.name, element_);
+    for (std::size_t i = first; i < element_.children.size(); ++i) {
+      if (element_.children[i].name == "sensor") names_.replaceIn(element_.children[i], source.name);
     }
   }
 
@@ -93,6 +111,7 @@ class ShapesWriter {
   Element& element_;
   std::size_t collisionCount_ = 0;
   std::size_t visualCount_ = 0;
+  CollisionNames names_;
 };
 
 void addInertial(const Inertial& inertial, Element& link) {
@@ -132,8 +151,8 @@ void addLink(const Robot& robot, const Link& link, const Extensions& extensions,
   for (const Lumped& lumped : link.lumped) shapes.addCollisions(robot.links[lumped.link], lumped.X_TargetLink);
   shapes.addVisuals(link, Pose());
   for (const Lumped& lumped : link.lumped) shapes.addVisuals(robot.links[lumped.link], lumped.X_TargetLink);
-  extensions.addToLink(link.name, element);
-  for (const Lumped& lumped : link.lumped) extensions.addToLink(robot.links[lumped.link].name, element);
+  shapes.addExtensions(link);
+  for (const Lumped& lumped : link.lumped) shapes.addExtensions(robot.links[lumped.link]);
 }
 
 void addFrames(const Robot& robot, const Link& link, const Extensions& extensions, Element& model) {
