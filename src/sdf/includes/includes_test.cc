@@ -269,7 +269,43 @@ TEST_F(IncludesTest, MergeByAPlacementFrameAndWithinAMergedModel) {
   expectPose(loaded.model().links.at(2).X_ModelLink, {-1, 5, 1});
 }
 
-TEST_F(IncludesTest, MergeOnlyModelsAndOnlyIntoModels) {
+TEST_F(IncludesTest, MergeModelsJointsFramesAndPluginsIntoAWorld) {
+  writeModel("box", "<link name='l'/>");
+  writeModel("pair",
+             "<include><uri>box</uri><name>a</name></include>"
+             "<include><uri>box</uri><name>b</name><pose>0 10 0 0 0 0</pose></include>"
+             "<model name='c'><link name='l'/></model><frame name='f'/><frame name='g' attached_to='b'/>"
+             "<joint name='j' type='fixed'><parent>f</parent><child>g</child></joint><plugin filename='p' name='P'/>");
+  const Loaded loaded = loadWorldWith(
+      "<frame name='mount'><pose>0 0 1 0 0 0</pose></frame>"
+      "<include merge='true'><uri>pair</uri><pose relative_to='mount'>100 0 0 0 0 0</pose></include>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::World& world = loaded.world();
+  ASSERT_EQ(world.models.size(), 3U);
+  expectPose(world.models[0].X_ParentModel, {100, 0, 1});
+  expectPose(world.models[1].X_ParentModel, {100, 10, 1});
+  expectPose(world.models[2].X_ParentModel, {100, 0, 1});
+  ASSERT_EQ(world.joints.size(), 1U);
+  EXPECT_EQ(world.joints[0].parent, "a::l");
+  EXPECT_EQ(world.joints[0].child, "b::l");
+  EXPECT_EQ(world.plugins.at(0).filename, "p");
+  ASSERT_EQ(world.frames.size(), 4U);
+  EXPECT_EQ(world.frames[1].name, "_merged__pair__model__");
+  EXPECT_EQ(world.frames[1].attachedLink, "a::l");
+}
+
+TEST_F(IncludesTest, MergeNoLinksIntoAWorldAndNothingIntoAFile) {
+  writeModel("arm", "<model name='inner'><link name='l'/></model><link name='a'/>");
+  EXPECT_EQ(loadWorldWith("<include merge='true'><uri>arm</uri></include>").messages,
+            Messages{"DIR/w.sdf:3:1: error: a model with a <link> can't be merged into a world, only models, joints, "
+                     "frames and plugins | remove the attribute 'merge'"});
+  write("only.sdf", "<include merge='true'><uri>model://arm</uri></include>");
+  EXPECT_EQ(loadNamed("only.sdf").messages,
+            Messages{"DIR/only.sdf:2:1: error: only a model can be merged, and only into a model or a world | remove "
+                     "the attribute 'merge'"});
+}
+
+TEST_F(IncludesTest, MergeOnlyModels) {
   writeModel("arm", "<link name='a'/>");
   write("actor.sdf", "<actor name='s'/>");
   EXPECT_EQ(
@@ -278,7 +314,8 @@ TEST_F(IncludesTest, MergeOnlyModelsAndOnlyIntoModels) {
                     "<include merge='true'><uri>arm</uri><name>other</name></include>")
           .messages,
       (Messages{
-          "DIR/w.sdf:4:1: error: only a model can be merged, and only into a model | remove the attribute 'merge'",
+          "DIR/w.sdf:4:1: error: only a model can be merged, and only into a model or a world | remove the attribute "
+          "'merge'",
           "DIR/w.sdf:5:10: error: attribute 'merge' is 'x', which is not 'true' or 'false'",
           "DIR/arm/model.sdf:3:1: error: link 'a' has the same name as another link of model 'm' | the "
           "first one is in DIR/w.sdf, line 3 (from DIR/w.sdf:6:1)"}));

@@ -8,13 +8,13 @@
 
 namespace pongsim::sdf {
 
-/// What is needed to merge a model into another one.
+/// What is needed to merge a model into another one, or into a world.
 struct MergedModel {
   const Element& element;
   std::string name;
   /// The link that its frame is attached to.
   std::string canonicalLink;
-  /// Pose of the model frame in the frame `relativeTo` of the enclosing model.
+  /// Pose of the model frame in the frame `relativeTo` of the enclosing model or world.
   Pose X_ReferenceModel;
   std::string relativeTo;
   /// Where it is included.

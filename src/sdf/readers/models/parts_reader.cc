@@ -28,10 +28,10 @@ PartsReader::PartsReader(Scope& scope, bool isStatic, Context& context)
 
 void PartsReader::read(const Element& holder) {
   isModel_ = holder.name == "model";
-  const bool isRoot = holder.name == "sdf";
+  isRoot_ = holder.name == "sdf";
   const Source source{context_};
   for (const Element& child : holder.children) {
-    if (isRoot && std::ranges::find(kInRoot, child.name) == kInRoot.end()) continue;
+    if (isRoot_ && std::ranges::find(kInRoot, child.name) == kInRoot.end()) continue;
     readPart(child, source);
   }
 }
@@ -133,14 +133,24 @@ void PartsReader::readInclude(const Element& include, const Source& source) {
     } else if (!merges) {
       parts.push_back(std::move(included));
       readPart(context_.includes.replace(include, parts).front(), {context, {}, &include.position});
-    } else if (included.name == "model" && isModel_) {
-      readMerged(included, include, context);
+    } else if (const std::string obstacle = obstacleToMerge(included); !obstacle.empty()) {
+      source.context.diagnostics.error(include.position, obstacle, "remove the attribute 'merge'");
     } else {
-      source.context.diagnostics.error(include.position, "only a model can be merged, and only into a model",
-                                       "remove the attribute 'merge'");
+      readMerged(included, include, context);
     }
   });
   if (!isOpen) scope_.setIncomplete();
+}
+
+std::string PartsReader::obstacleToMerge(const Element& included) const {
+  if (included.name != "model" || isRoot_) return "only a model can be merged, and only into a model or a world";
+  if (isModel_) return "";
+  for (const Element& part : included.children) {
+    if (part.name == "link" || part.name == "gripper") {
+      return "a model with a <" + part.name + "> can't be merged into a world, only models, joints, frames and plugins";
+    }
+  }
+  return "";
 }
 
 void PartsReader::readMerged(const Element& element, const Element& include, Context& context) {
@@ -159,7 +169,7 @@ void PartsReader::readMerged(const Element& element, const Element& include, Con
         draft.placementFrame, "model '" + draft.model.name + "' is placed by its frame", includedFrom, context);
     if (frame) pose.value = pose.value * frame->X_ScopeFrame.inverse();
   }
-  if (pose.relativeTo.empty()) pose.relativeTo = kModelFrame;
+  if (pose.relativeTo.empty()) pose.relativeTo = isModel_ ? std::string(kModelFrame) : "world";
 
   // then read its parts, with a frame that replaces its own
   std::vector<Element> parts = mergedParts({.element = element,

@@ -55,6 +55,8 @@ class PartsReader {
   void readLightPart(const Element& element, const Source& source);
   void readActorPart(const Element& element, const Source& source);
   void readInclude(const Element& include, const Source& source);
+  /// @return Why the included element can't be merged; empty if it can.
+  std::string obstacleToMerge(const Element& included) const;
   void readMerged(const Element& model, const Element& include, Context& context);
 
   template <class Part>
@@ -70,6 +72,7 @@ class PartsReader {
   bool isStatic_;
   Context& context_;
   bool isModel_ = false;
+  bool isRoot_ = false;
   SiblingNames names_;
   std::vector<InScope<description::Model>> models_;
   std::vector<InScope<LinkDraft>> links_;
