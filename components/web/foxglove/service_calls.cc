@@ -15,12 +15,17 @@ namespace {
 
 using nlohmann::json;
 
-// Foxglove reads the fields of requests from this schema, but also sends requests with other fields.
-constexpr const char* kAnyObject = R"({"type":"object","properties":{}})";
+// Foxglove and Lichtblick keep the types of all channels and services in one list by name, and the JSON form of a type
+// is not the protobuf form that a channel has of it: so a service's types have names of their own.
+enum class Side { kRequest, kResponse };
+const char* suffix(Side side) { return side == Side::kRequest ? "_Request" : "_Response"; }
 
-json description(const std::string& type, MessageForm form, TopicChannels& channels) {
+json description(const std::string& type, Side side, MessageForm form, TopicChannels& channels) {
   if (form == MessageForm::kJson) {
-    return {{"encoding", "json"}, {"schemaName", type}, {"schemaEncoding", "jsonschema"}, {"schema", kAnyObject}};
+    return {{"encoding", "json"},
+            {"schemaName", type + suffix(side)},
+            {"schemaEncoding", "jsonschema"},
+            {"schema", *channels.jsonSchema(type)}};
   }
   return {{"encoding", "protobuf"},
           {"schemaName", type},
@@ -92,8 +97,8 @@ void ServiceCalls::follow() {
     added.push_back({{"id", id},
                      {"name", place.service.name},
                      {"type", place.service.requestType},
-                     {"request", description(place.service.requestType, form_, topicChannels_)},
-                     {"response", description(place.service.replyType, form_, topicChannels_)}});
+                     {"request", description(place.service.requestType, Side::kRequest, form_, topicChannels_)},
+                     {"response", description(place.service.replyType, Side::kResponse, form_, topicChannels_)}});
     services_.emplace(id, std::move(place));
   }
   client_->sendText(textOf({{"op", "advertiseServices"}, {"services", std::move(added)}}));

@@ -41,8 +41,13 @@ TEST_F(CallsTest, SaysWhatServicesTake) {
   open();
   const json forFoxglove = service("/s");
   EXPECT_EQ(forFoxglove["request"]["encoding"], "json");
-  EXPECT_EQ(forFoxglove["request"]["schemaName"], "ignition.msgs.StringMsg");
-  EXPECT_EQ(forFoxglove["response"]["schemaName"], "ignition.msgs.Boolean");
+  // not the names of the channels' types, whose protobuf schemas differ
+  EXPECT_EQ(forFoxglove["request"]["schemaName"], "ignition.msgs.StringMsg_Request");
+  EXPECT_EQ(forFoxglove["response"]["schemaName"], "ignition.msgs.Boolean_Response");
+  const json request = json::parse(forFoxglove["request"]["schema"].get<std::string>());
+  EXPECT_EQ(request["properties"]["data"]["type"], "string");
+  const json response = json::parse(forFoxglove["response"]["schema"].get<std::string>());
+  EXPECT_EQ(response["properties"]["data"]["type"], "boolean");
   open("pongsim.web.v1");
   const json forOurPage = service("/s");
   EXPECT_EQ(forOurPage["request"]["encoding"], "protobuf");

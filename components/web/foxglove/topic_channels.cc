@@ -1,9 +1,13 @@
 #include "web/foxglove/topic_channels.hh"
 
+#include <google/protobuf/message.h>
+
 #include <utility>
 
+#include "pongsim/message.hh"
 #include "pongsim/messages/message_schema.hh"
 #include "web/foxglove/base64.hh"
+#include "web/foxglove/json_schema.hh"
 #include "web/world/queue_depth.hh"
 
 namespace pongsim::web::foxglove {
@@ -36,6 +40,15 @@ std::vector<Channel> TopicChannels::all() {
 std::shared_ptr<const std::string> TopicChannels::schema(const std::string& type) {
   std::shared_ptr<const std::string>& schema = schemas_[type];
   if (!schema) schema = std::make_shared<const std::string>(base64(messageSchema(type)));
+  return schema;
+}
+
+std::shared_ptr<const std::string> TopicChannels::jsonSchema(const std::string& type) {
+  std::shared_ptr<const std::string>& schema = jsonSchemas_[type];
+  if (!schema) {
+    const MessagePointer message = newMessage(type);
+    schema = std::make_shared<const std::string>(message ? foxglove::jsonSchema(*message->GetDescriptor()).dump() : "");
+  }
   return schema;
 }
 

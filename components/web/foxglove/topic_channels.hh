@@ -25,10 +25,14 @@ class TopicChannels {
 
   /// @return The schema of a message type in base64, shared by all callers.
   std::shared_ptr<const std::string> schema(const std::string& type);
+  /// @return Its JSON schema, as text.
+  std::shared_ptr<const std::string> jsonSchema(const std::string& type);
 
  private:
   const std::shared_ptr<Worlds> worlds_;
-  std::map<std::string, std::shared_ptr<const std::string>, std::less<>> schemas_;
+  using Schemas = std::map<std::string, std::shared_ptr<const std::string>, std::less<>>;
+  Schemas schemas_;
+  Schemas jsonSchemas_;
 };
 
 }  // namespace pongsim::web::foxglove

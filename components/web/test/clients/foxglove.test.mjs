@@ -87,6 +87,33 @@ test('it lists channels with schemas', () => {
   assert.equal(typeOf(channels.get('/world/clients/pose/info')).name, 'Pose_V');
 });
 
+test("it lists services with schemas, whose names are not those of the channels' types", () => {
+  // Foxglove and Lichtblick report a name with two definitions as an error
+  const known = new Map([...channels.values()].map(({ schemaName, schema }) => [schemaName, schema]));
+  for (const { name, request, response } of services.values()) {
+    for (const { schemaName, schema, schemaEncoding } of [request, response]) {
+      assert.equal(schemaEncoding, 'jsonschema');
+      assert.equal(known.get(schemaName) ?? schema, schema, `${name}: ${schemaName} has two definitions`);
+      known.set(schemaName, schema);
+      assertReadable(JSON.parse(schema), name);
+    }
+  }
+  const { request, response } = services.get('/world/clients/control');
+  assert.equal(JSON.parse(request.schema).properties.reset.properties.model_only.type, 'boolean');
+  assert.equal(JSON.parse(response.schema).properties.data.type, 'boolean');
+});
+
+/// Asserts that a JSON schema has only what Lichtblick's reader of JSON schemas accepts.
+function assertReadable(schema, where) {
+  assert.equal(schema.type, 'object', where);
+  for (const [name, field] of Object.entries(schema.properties)) {
+    const inner = field.type === 'array' ? field.items : field;
+    assert.ok(['boolean', 'string', 'number', 'integer', 'object'].includes(inner.type), `${where}.${name}: ${inner.type}`);
+    assert.ok([undefined, 'base64'].includes(inner.contentEncoding), `${where}.${name}`);
+    if (inner.type === 'object') assertReadable(inner, `${where}.${name}`);
+  }
+}
+
 test('it sees the scene, its frames and pictures in its own types', async () => {
   const update = await heard('/foxglove/world/clients/scene', () => true, 'the scene');
   assert.deepEqual(update.entities.map(({ id }) => id), ['car::chassis', 'wedge::link']);
