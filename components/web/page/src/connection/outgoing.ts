@@ -1,5 +1,6 @@
 /// Publishing: a topic is advertised with its first message, and again on each new connection.
 import { publishFrame } from './protocol.ts';
+import { fullTopic } from './topic_name.ts';
 import type { MessageTypes } from './types.ts';
 
 export class Outgoing {
@@ -16,7 +17,8 @@ export class Outgoing {
     this.ids.clear();
   }
 
-  publish(topic: string, type: string, payload: Uint8Array): void {
+  publish(name: string, type: string, payload: Uint8Array): void {
+    const topic = fullTopic(name);
     this.types.get(type);
     const key = `${topic} ${type}`;
     let id = this.ids.get(key);

@@ -2,6 +2,7 @@
 /// /keyboard/keypress.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled } from '../app/dom.ts';
+import { fullTopic } from '../connection/topic_name.ts';
 
 const kNamed: Record<string, number> = {
   Escape: 0x01000000, Tab: 0x01000001, Backspace: 0x01000003, Enter: 0x01000004, Insert: 0x01000006, Delete: 0x01000007,
@@ -33,7 +34,7 @@ export function isTyping(target: EventTarget | null, key: string): boolean {
 export function openKeyPublisher(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
   const ends = new Ends();
-  const topic = h('input', { value: setting(settings, 'topic') ?? '/keyboard/keypress', class: 'wide' });
+  const topic = h('input', { value: fullTopic(setting(settings, 'topic') ?? '/keyboard/keypress'), class: 'wide' });
   const isOn = h('input', { type: 'checkbox', checked: true, id: 'send-keys' });
   const last = h('output', { class: 'last-key', 'aria-live': 'off' }, '–');
   const press = (event: KeyboardEvent): void => {

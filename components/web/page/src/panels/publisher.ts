@@ -1,12 +1,13 @@
 /// Publishes a message, entered in a form for its type, once or at a rate.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField } from '../app/dom.ts';
+import { fullTopic } from '../connection/topic_name.ts';
 import { messageForm } from './message_form.ts';
 
 export function openPublisher(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
   const ends = new Ends();
-  const topic = h('input', { value: setting(settings, 'topic') ?? '/cmd_vel', class: 'wide' });
+  const topic = h('input', { value: fullTopic(setting(settings, 'topic') ?? '/cmd_vel'), class: 'wide' });
   const list = h('datalist', { id: 'message-types' }, ...connection.types.names().map((name) => h('option', { value: name })));
   const type = h('input', { value: setting(settings, 'msg_type') ?? 'ignition.msgs.Twist', list: 'message-types', class: 'wide' });
   const place = h('div', {});

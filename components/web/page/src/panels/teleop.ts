@@ -1,12 +1,13 @@
 /// Drives a model by sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField, shortNumber } from '../app/dom.ts';
+import { fullTopic } from '../connection/topic_name.ts';
 
 export function openTeleop(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
   const ends = new Ends();
   const topics = h('datalist', { id: 'twist-topics' });
-  const topic = h('input', { value: setting(settings, 'topic') ?? '/cmd_vel', list: 'twist-topics', class: 'wide' });
+  const topic = h('input', { value: fullTopic(setting(settings, 'topic') ?? '/cmd_vel'), list: 'twist-topics', class: 'wide' });
   const limits = { forward: numberField(1, { min: 0, class: 'short' }), turn: numberField(1, { min: 0, class: 'short' }) };
   let [forward, turn] = [0, 0];
   let timer: ReturnType<typeof setInterval> | undefined;

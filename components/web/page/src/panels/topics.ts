@@ -1,6 +1,7 @@
 /// A list to select a topic of certain types.
 import type { Context, Ends } from '../app/context.ts';
 import { h, setChoices } from '../app/dom.ts';
+import { fullTopic } from '../connection/topic_name.ts';
 
 /// The server's topics with one of these types; all topics if no types are given.
 export function topicsOf(context: Context, types: readonly string[]): string[] {
@@ -11,29 +12,28 @@ export function topicsOf(context: Context, types: readonly string[]): string[] {
 }
 
 /// A list of these topics that is updated when topics are advertised or end.
-/// @param chosen Called with the selected topic, '' for none. `wanted` is selected as soon as it exists.
+/// @param wanted Selected until the user chooses another, also before it exists: no other topic takes its place.
+/// @param chosen Called with the selected topic, '' for none.
 export function topicChooser(
   context: Context, types: readonly string[], wanted: string | undefined, ends: Ends, chosen: (topic: string) => void,
 ): HTMLSelectElement {
   const select = h('select', { 'aria-label': 'Topic', class: 'wide' });
-  let current = '';
-  let hoped = wanted;
+  let current = fullTopic(wanted ?? '');
+  let isNew = current !== '';
   const update = (): void => {
     const topics = topicsOf(context, types);
     if (current && !topics.includes(current)) topics.push(current);
     setChoices(select, topics, types.length === 0 ? 'Choose a topic' : undefined);
-    if (hoped && topics.includes(hoped)) {
-      select.value = hoped;
-      hoped = undefined;
+    if (isNew) {
+      isNew = false;
+      select.value = current;
+      chosen(current);
     }
     if (select.value === current) return;
     current = select.value;
     chosen(current);
   };
-  select.addEventListener('change', () => {
-    hoped = undefined;
-    update();
-  });
+  select.addEventListener('change', update);
   ends.add(context.connection.channelsChanged.on(update));
   // after the caller has finished the panel, because it calls `chosen`
   queueMicrotask(update);
