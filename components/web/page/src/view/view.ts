@@ -69,6 +69,7 @@ export class View {
   private recorder: Recorder | null = null;
   private nextFrame: number | null = null;
   private readonly resolution = new AdaptiveResolution();
+  private scale = 1;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private needsShadows = true;
 
@@ -144,18 +145,21 @@ export class View {
     canvas.addEventListener('pointermove', (event) => this.handles.setSnapping(event.ctrlKey), { signal });
   }
 
+  /// Draws at once: a new size empties the canvas, and the browser shows it before the next animation frame.
   private resize(): void {
     const parent = this.canvas.parentElement;
     const [width, height] = [parent?.clientWidth ?? 0, parent?.clientHeight ?? 0];
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
-    this.setScale(1);
+    this.setScale(this.scale);
     this.orbitCamera.resize(width, height);
-    this.invalidate();
+    this.draw();
+    this.sharpenLater();
   }
 
   /// Sets the resolution to this fraction of the full width and height; the browser scales the image up.
   private setScale(scale: number): void {
+    this.scale = scale;
     const ratio = Math.min(window.devicePixelRatio, 2) * scale;
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
@@ -178,9 +182,13 @@ export class View {
       this.setScale(scale);
       this.draw();
       if (this.recorder) this.invalidate();
-      clearTimeout(this.rest);
-      if (scale < 1) this.rest = setTimeout(() => this.drawWhole(), restTime);
+      this.sharpenLater();
     });
+  }
+
+  private sharpenLater(): void {
+    clearTimeout(this.rest);
+    if (this.scale < 1) this.rest = setTimeout(() => this.drawWhole(), restTime);
   }
 
   /// Renders in full resolution, when nothing moves any more.
@@ -257,16 +265,17 @@ export class View {
     this.drag.move(entity, placementOfPose(pose), during ? null : Promise.resolve(answer));
   }
 
+  /// Moves the viewpoint with the entity, around which it then rotates and to which it zooms; null ends that.
   follow(entity: number | null): void {
     this.followed = entity === null ? null : { entity, last: this.stage.places.position(entity)?.clone() ?? null };
+    this.orbitCamera.controls.zoomToCursor = entity === null;
     if (this.followed?.last) this.orbitCamera.shift(this.followed.last.clone().sub(this.orbitCamera.target));
   }
 
   private goAlong(): void {
-    if (this.followed === null) return;
-    const now = this.stage.places.position(this.followed.entity)?.clone() ?? null;
-    const { last } = this.followed;
-    if (now && last) this.orbitCamera.shift(now.clone().sub(last));
+    const now = this.followed && this.stage.places.position(this.followed.entity)?.clone();
+    if (this.followed === null || !now) return;
+    if (this.followed.last) this.orbitCamera.shift(now.clone().sub(this.followed.last));
     this.followed.last = now;
   }
 
@@ -379,8 +388,9 @@ export class View {
     this.invalidate();
   }
 
-  /// Sets the centre of rotation to the point under the pointer.
+  /// Sets the centre of rotation to the point under the pointer; to the followed entity, if there is one.
   private turnAround(x: number, y: number): void {
+    if (this.followed) return;
     const met = this.stage.batches.meet(this.orbitCamera.rayThrough(x, y))[0];
     if (met && met.hit.distance < 200) this.orbitCamera.turnAround(met.hit.distance);
   }

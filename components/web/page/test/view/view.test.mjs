@@ -346,6 +346,57 @@ describe('the view', { skip: without }, () => {
     assert.ok(!isRed(await colorAt(0.02, 0.02)));
   });
 
+  test('it turns around what it follows, wherever the pointer is, and zooms to it', async () => {
+    const wall = scenes.model(20, [30, 0, 0], scenes.box(1, 100, 100), scenes.paint(0, 1, 0));
+    const robot = scenes.model(10, [0, 0, 0], scenes.box(1, 1, 1), scenes.paint(1, 0, 0));
+    await show(scenes.scene([robot, wall]), scenes.eyeAt(-4));
+    await tab.evaluate(() => window.view.follow(10));
+    await waitForColor(isRed);
+    // from a point of the wall, beside the robot
+    await tab.mouse.move(280, 120);
+    await tab.mouse.down({ button: 'middle' });
+    await tab.mouse.move(80, 120, { steps: 5 });
+    await tab.mouse.up({ button: 'middle' });
+    await waitForColor(isRed);
+    const near = await tab.evaluate(() => Math.hypot(...window.view.camera().position));
+    assert.ok(near < 11, `${near} m away`);
+    await tab.mouse.move(20, 20);
+    await tab.mouse.wheel(0, -300);
+    await tab.waitForFunction((before) => Math.hypot(...window.view.camera().position) < before - 0.1, near);
+    await waitForColor(isRed);
+  });
+
+  test('a new size is drawn at once, so that the picture never goes away', async () => {
+    await show(scenes.scene([scenes.model(10, [0, 0, 0], scenes.box(1, 1, 1), scenes.paint(1, 0, 0))]), scenes.eyeAt(-4));
+    await waitForColor(isRed);
+    // this observer runs after the view's, before the browser shows the page
+    const middles = await tab.evaluate(async () => {
+      const place = document.getElementById('view');
+      const read = () => {
+        const { canvas } = window.view;
+        const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+        context.drawImage(canvas, 0, 0);
+        return [...context.getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data];
+      };
+      const found = [];
+      for (const width of [300, 280, 260]) {
+        const sized = new Promise((resolve) => {
+          const observer = new ResizeObserver(() => {
+            if (place.clientWidth !== width) return;
+            observer.disconnect();
+            resolve(read());
+          });
+          observer.observe(place);
+        });
+        place.style.width = `${width}px`;
+        found.push(await sized);
+      }
+      place.style.width = '';
+      return found;
+    });
+    for (const color of middles) assert.ok(isRed(color), String(color));
+  });
+
   test('a trail is where a model has been', async () => {
     await show(scenes.scene([scenes.model(10, [0, 5, 0], scenes.box(0.1, 0.1, 0.1), scenes.paint(1, 0, 0))]), scenes.eyeAt(-4));
     const before = await colorAt();
