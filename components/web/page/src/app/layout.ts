@@ -26,8 +26,9 @@ export class Layout {
       this.docks.set(place, h('div', { class: `dock ${place}`, role: 'region', 'aria-label': name, hidden: true }));
     }
     const dock = (place: Dock): HTMLElement => this.docks.get(place)!;
-    const middle = h('div', { class: 'middle' }, this.stage, h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right')));
-    this.element = h('main', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
+    const corners = h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right'));
+    const middle = h('div', { class: 'middle' }, h('div', { class: 'around' }, this.stage, corners));
+    this.element = h('div', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
   }
 
   /// @param title Heading, if not the panel's own.
@@ -41,7 +42,7 @@ export class Layout {
       fold.setAttribute('aria-expanded', String(!body.hidden));
     }, { 'aria-expanded': 'true', 'aria-controls': body.id });
     const heading = h('h2', { id }, title);
-    const frame = h('section', { class: 'panel', 'aria-labelledby': id, 'data-panel': kind.id },
+    const frame = h('section', { class: 'panel', 'aria-labelledby': id, 'data-panel': kind.id, tabindex: -1 },
       h('header', {}, fold, heading, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
     this.docks.get(place)!.append(frame);
     this.open.push({ kind, frame, panel });
@@ -52,11 +53,12 @@ export class Layout {
     return this.open.some((each) => each.kind === kind);
   }
 
-  /// Brings an open panel to the front.
+  /// Brings an open panel into view. The focus is set to the panel itself, because its fields would take the arrow
+  /// keys from who drives a robot by them.
   reveal(kind: PanelKind): void {
-    const frame = this.open.find((each) => each.kind === kind)?.frame;
+    const frame = this.open.findLast((each) => each.kind === kind)?.frame;
     frame?.scrollIntoView({ block: 'nearest' });
-    frame?.querySelector<HTMLElement>('.body button, .body input, .body select')?.focus();
+    frame?.focus({ preventScroll: true });
   }
 
   closeAll(): void {

@@ -8,6 +8,7 @@ import { MessageLog } from './message_log.ts';
 import { Shell } from './shell.ts';
 import { listenToShortcuts } from './shortcuts.ts';
 import { currentTheme } from './theme.ts';
+import { TokenForm } from './token_form.ts';
 
 const log = new MessageLog();
 const types = new MessageTypes();
@@ -20,12 +21,16 @@ const tools = h('div', { class: 'tools-place' });
 const place = h('div', { class: 'world-place' });
 const toast = h('div', { class: 'toast', role: 'alert', hidden: true });
 
-/// The address of the server's WebSocket. The token for servers that are open to other machines is a parameter of the
-/// page's address.
-function socketAddress(): string {
+const tokenForm = new TokenForm();
+
+/// The token for servers that are open to other machines: a parameter of the page's address, and of its requests.
+function tokenQuery(): string {
   const token = new URLSearchParams(location.search).get('token');
-  const query = token ? `?token=${encodeURIComponent(token)}` : '';
-  return `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/${query}`;
+  return token ? `?token=${encodeURIComponent(token)}` : '';
+}
+
+function socketAddress(): string {
+  return `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/${tokenQuery()}`;
 }
 
 async function loadTypes(): Promise<void> {
@@ -72,7 +77,7 @@ function showToast(level: string, text: string): void {
 }
 
 document.documentElement.dataset.theme = currentTheme();
-document.body.append(h('header', { class: 'bar' }, title, worlds, state, tools), place, toast);
+document.body.append(h('header', { class: 'bar' }, title, worlds, state, tools), h('main', {}, tokenForm.element, place), toast);
 log.changed.on(({ level, text, isQuiet }) => {
   if (!isQuiet) showToast(level, text);
 });
@@ -85,6 +90,8 @@ const connection = new Connection(types, {
 });
 connection.stateChanged.on((now) => {
   showState();
+  if (now === 'open') tokenForm.hide();
+  if (now === 'lost') void tokenForm.check(tokenQuery());
   if (now === 'lost' && connection.reason) log.add('error', connection.reason);
 });
 connection.servicesChanged.on(showWorlds);
@@ -103,6 +110,14 @@ listenToShortcuts(() => shell?.context ?? null);
 // removes the focus after a mouse click, so that keys are sent to the world; after keyboard activation it stays
 document.addEventListener('click', ({ detail, target }) => {
   if (detail > 0) (target as Element).closest<HTMLElement>('button, [role="treeitem"]')?.blur();
+});
+
+// the same after a choice in a list by mouse
+let isByMouse = false;
+document.addEventListener('pointerdown', () => (isByMouse = true), { capture: true });
+document.addEventListener('keydown', () => (isByMouse = false), { capture: true });
+document.addEventListener('change', ({ target }) => {
+  if (isByMouse && target instanceof HTMLSelectElement) target.blur();
 });
 
 // files with models can be dropped anywhere on the page

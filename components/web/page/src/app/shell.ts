@@ -109,7 +109,7 @@ export class Shell {
     const { view, log } = this.context;
     if (!view) return Promise.resolve({ position: [0, 0, 0.5], orientation: [0, 0, 0, 1] });
     this.placed?.(null);
-    log.add('info', 'Click in the view to place it; Escape cancels');
+    log.add('info', 'Click in the view to place it, or move it by arrows and press Enter; Escape cancels');
     view.showGhost(message);
     return new Promise((resolve) => (this.placed = resolve));
   }

@@ -14,17 +14,22 @@ import { currentTheme, setTheme } from './theme.ts';
 
 /// A button that opens a menu.
 function menu(title: string, items: [string, () => void][]): HTMLElement {
-  const details = h('details', { class: 'menu' }, h('summary', {}, `${title} ▾`));
-  const choose = (act: () => void): void => {
+  const summary = h('summary', {}, `${title} ▾`);
+  const details = h('details', { class: 'menu' }, summary);
+  const choose = (act: () => void, event: MouseEvent): void => {
     details.open = false;
+    // chosen by a key: the button with the focus is hidden now
+    if (event.detail === 0) summary.focus();
     act();
   };
-  details.append(h('div', { class: 'items' }, ...items.map(([name, act]) => h('button', { type: 'button', onclick: () => choose(act) }, name))));
+  const button = ([name, act]: [string, () => void]): HTMLElement =>
+    h('button', { type: 'button', onclick: (event: MouseEvent) => choose(act, event) }, name);
+  details.append(h('div', { class: 'items' }, ...items.map(button)));
   details.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !details.open) return;
     event.stopPropagation();
     details.open = false;
-    details.querySelector('summary')?.focus();
+    summary.focus();
   });
   details.addEventListener('focusout', (event) => {
     if (event.relatedTarget && !details.contains(event.relatedTarget as Node)) details.open = false;

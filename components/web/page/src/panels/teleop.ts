@@ -1,7 +1,8 @@
-/// Drives a model by sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
+/// Drives a model by a joystick, sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField, shortNumber } from '../app/dom.ts';
 import { fullTopic } from '../connection/topic_name.ts';
+import { joystick } from './joystick.ts';
 
 export function openTeleop(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
@@ -63,10 +64,15 @@ export function openTeleop(context: Context, settings: Settings): Panel {
   };
   ends.add(connection.channelsChanged.on(offer));
   offer();
-  const element = h('div', { class: 'teleop' }, labelled('Topic', topic), topics, forwardRow, turnRow,
-    h('div', { class: 'pad' },
+  const stick = joystick((right, up) => {
+    setForward(up);
+    setTurn(-right);
+  });
+  const element = h('div', { class: 'teleop' },
+    h('div', { class: 'steering' }, stick, h('div', { class: 'pad' },
       button('↑', 'Forward', 1, 0), button('←', 'Turn left', 0, 1), button('■', 'Stop', 0, 0),
-      button('→', 'Turn right', 0, -1), button('↓', 'Back', -1, 0)),
+      button('→', 'Turn right', 0, -1), button('↓', 'Back', -1, 0))),
+    forwardRow, turnRow, labelled('Topic', topic), topics,
     h('div', { class: 'row wrap' }, labelled('Max [m/s]', limits.forward), labelled('Max [rad/s]', limits.turn)));
   return { element, close: ends.end };
 }

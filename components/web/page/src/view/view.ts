@@ -5,7 +5,7 @@ import { keyMove } from './camera/keys.ts';
 import { AdaptiveResolution } from './camera/adaptive_resolution.ts';
 import { Pointer } from './camera/pointer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
-import type { Message, ModelMessage, SceneMessage } from './messages.ts';
+import type { Message, SceneMessage } from './messages.ts';
 import { Cloud } from './overlays/cloud.ts';
 import { Contacts } from './overlays/contacts.ts';
 import { type Theme, gridOf } from './overlays/grid.ts';
@@ -18,8 +18,8 @@ import type { Frame } from './scene/places.ts';
 import { type Overlay, Shown } from './scene/shown.ts';
 import { Stage } from './scene/stage.ts';
 import { Drag } from './tools/drag.ts';
-import { Ghost, groundUnder } from './tools/ghost.ts';
 import { Handles, type Tool } from './tools/handles.ts';
+import { Placing } from './tools/placing.ts';
 import { Recorder } from './tools/recorder.ts';
 
 export interface ViewOptions {
@@ -56,6 +56,7 @@ export class View {
   private readonly trails = new Map<number, Trail>();
   private readonly handles: Handles;
   private readonly drag: Drag;
+  private readonly placing: Placing;
   private readonly pointer: Pointer;
   private readonly end = new AbortController();
   private readonly sizes: ResizeObserver;
@@ -65,7 +66,6 @@ export class View {
   private sceneShadows = true;
   private selected: number | null = null;
   private followed: { entity: number; last: Vector3 | null } | null = null;
-  private ghost: Ghost | null = null;
   private recorder: Recorder | null = null;
   private nextFrame: number | null = null;
   private readonly resolution = new AdaptiveResolution();
@@ -112,10 +112,14 @@ export class View {
       busy: (isBusy) => (this.orbitCamera.controls.enabled = !isBusy),
       changed: invalidate,
     });
+    this.placing = new Placing(this.stage, this.orbitCamera, this.canvas, {
+      changed: invalidate,
+      placed: (pose) => options.onPlace?.(pose),
+    }, this.end.signal);
     this.pointer = new Pointer(this.canvas, this.orbitCamera.controls, {
       turns: (x, y) => this.turnAround(x, y),
       click: (x, y) => this.clicked(x, y),
-      hover: (x, y) => this.hovered(x, y),
+      hover: (x, y) => this.placing.isActive && this.placing.hover(x, y),
     });
     this.orbitCamera.controls.connect(this.canvas);
     const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object];
@@ -141,7 +145,6 @@ export class View {
     canvas.addEventListener('webglcontextlost', lost, { signal });
     canvas.addEventListener('webglcontextrestored', () => this.sceneChanged(), { signal });
     canvas.addEventListener('keydown', (event) => this.moveByKey(event), { signal });
-    window.addEventListener('keydown', (event) => this.giveUp(event), { signal });
     canvas.addEventListener('pointermove', (event) => this.handles.setSnapping(event.ctrlKey), { signal });
   }
 
@@ -378,14 +381,9 @@ export class View {
     this.invalidate();
   }
 
-  /// Shows a model or light at the pointer until the user clicks to choose its pose; null ends it.
+  /// Shows a model or light until the user chooses its pose, by a click or by keys; null ends it.
   showGhost(model: Message | null): void {
-    if (this.ghost) this.stage.root.remove(this.ghost.object);
-    this.ghost?.dispose();
-    this.ghost = model === null ? null : new Ghost(this.stage, model as ModelMessage, () => this.invalidate());
-    if (this.ghost) this.stage.root.add(this.ghost.object);
-    this.canvas.style.cursor = this.ghost ? 'copy' : '';
-    this.invalidate();
+    this.placing.show(model);
   }
 
   /// Sets the centre of rotation to the point under the pointer; to the followed entity, if there is one.
@@ -395,20 +393,9 @@ export class View {
     if (met && met.hit.distance < 200) this.orbitCamera.turnAround(met.hit.distance);
   }
 
-  private hovered(x: number, y: number): void {
-    if (this.ghost === null) return;
-    const ray = this.orbitCamera.rayThrough(x, y);
-    this.ghost.put(groundUnder(ray, this.stage.batches.meet(ray)[0]?.hit.point ?? null));
-    this.invalidate();
-  }
-
   private clicked(x: number, y: number): void {
-    if (this.ghost) {
-      this.hovered(x, y);
-      const { placement } = this.ghost;
-      if (placement === null) return;
-      this.showGhost(null);
-      this.options.onPlace?.(poseOf(placement));
+    if (this.placing.isActive) {
+      this.placing.click(x, y);
       return;
     }
     const met = this.stage.batches.meet(this.orbitCamera.rayThrough(x, y))[0];
@@ -423,12 +410,6 @@ export class View {
     event.stopPropagation();
     if ('turn' in move) this.orbitCamera.turn(...move.turn);
     else this.orbitCamera.zoom(move.zoom);
-  }
-
-  private giveUp(event: KeyboardEvent): void {
-    if (event.key !== 'Escape' || this.ghost === null) return;
-    this.showGhost(null);
-    this.options.onPlace?.(null);
   }
 
   /// Number of draw calls in the last frame, including those for shadows.

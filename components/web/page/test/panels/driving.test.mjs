@@ -26,6 +26,24 @@ test('the robot drives with the arrows', async () => {
   assert.equal(await tab.locator('.last-key').textContent(), '  (32)');
 });
 
+test('a panel that is opened meanwhile does not take the arrows', async () => {
+  const { tab } = page;
+  for (const title of ['Plot', 'Publisher']) {
+    await openPanel(tab, title);
+    await tab.keyboard.press('ArrowDown');
+    await until(() => tab.locator('.last-key').textContent(), (key) => key.startsWith('ArrowDown'), `the arrow beside ${title}`);
+    await tab.keyboard.press('ArrowUp');
+    await until(() => tab.locator('.last-key').textContent(), (key) => key.startsWith('ArrowUp'), `the arrow beside ${title}`);
+  }
+  // neither does a list from which the mouse has chosen
+  const topic = panel(tab, 'Plot').getByLabel('Topic', { exact: true });
+  await topic.click();
+  await topic.selectOption('/clock');
+  await tab.keyboard.press('ArrowDown');
+  await until(() => tab.locator('.last-key').textContent(), (key) => key.startsWith('ArrowDown'), 'the arrow after a choice');
+  for (const title of ['Plot', 'Publisher']) await panel(tab, title).getByRole('button', { name: `Close ${title}` }).click();
+});
+
 test('sliders drive it, too', async () => {
   const { tab } = page;
   await panel(tab, 'Key publisher').getByRole('button', { name: 'Close Key publisher' }).click();

@@ -85,6 +85,43 @@ test('panels over the view never cover each other', async () => {
   await tab.setViewportSize({ width: 1280, height: 800 });
 });
 
+test('a small window keeps its view uncovered', async () => {
+  const { tab } = page;
+  await tab.setViewportSize({ width: 1000, height: 650 });
+  const canvas = tab.locator('#view canvas');
+  // the view's size follows that of the window
+  const view = await until(() => canvas.boundingBox(), (box) => box.width < 700, 'it is smaller');
+  assert.ok(view.height > 400, `it is ${view.height} pixels high`);
+  for (const title of ['World stats', 'World control']) {
+    const over = await panel(tab, title).boundingBox();
+    assert.ok(over.y >= view.y + view.height, `${title} at ${over.y}, the view ends at ${view.y + view.height}`);
+  }
+  await tab.setViewportSize({ width: 1280, height: 800 });
+});
+
+test('a shape is placed by keys, and the focus is not lost', async () => {
+  const { tab } = page;
+  await tab.locator('summary', { hasText: 'Add' }).focus();
+  await tab.keyboard.press('Enter');
+  await tab.keyboard.press('Tab');
+  await tab.keyboard.press('Enter');
+  await tab.keyboard.press('Shift+ArrowUp');
+  await tab.keyboard.press('ArrowLeft');
+  await tab.keyboard.press('Enter');
+  await panel(tab, 'Entity tree').getByRole('treeitem', { name: 'box model' }).waitFor();
+  assert.equal(await tab.evaluate(() => document.activeElement.textContent), 'Add ▾');
+  const { model } = JSON.parse(pongsim('service', '-s', '/world/pong_world/scene/info', '--req', '', '--json'));
+  const { x, y } = model.find(({ name }) => name === 'box').pose.position;
+  // the viewpoint looks along x; y is that of its target and one step to the left
+  assert.ok(Number.isFinite(x) && Math.abs(y - 0.1) < 1e-3, `it is at ${x} ${y}`);
+  // a cancelled one gives the focus back, too
+  await tab.keyboard.press('Enter');
+  await tab.keyboard.press('Tab');
+  await tab.keyboard.press('Enter');
+  await tab.keyboard.press('Escape');
+  assert.equal(await tab.evaluate(() => document.activeElement.textContent), 'Add ▾');
+});
+
 test('what pongsim warns of is in the messages', async () => {
   const messages = await openPanel(page.tab, 'Messages');
   pongsim('topic', '-t', '/cmd_vel', '-m', 'ignition.msgs.Twist', '-p', 'linear: {x: 1e300}', '--timeout', '60');
@@ -114,6 +151,58 @@ test('who may only look sees the world, and changes nothing', async () => {
     await tab.getByRole('button', { name: 'Step' }).click();
     await tab.locator('.toast.error', { hasText: 'this page is read-only' }).waitFor();
     assert.deepEqual(other.errors, []);
+  } finally {
+    await other.close();
+  }
+});
+
+test('on a phone the scene is first, and Teleop drives by a finger', async () => {
+  const other = await openPage(world, { options: [], viewport: { width: 390, height: 800 }, hasTouch: true });
+  const { tab } = other;
+  try {
+    const view = await tab.locator('#view canvas').boundingBox();
+    for (const first of await tab.locator('.panel').all()) assert.ok((await first.boundingBox()).y >= view.y + view.height);
+    assert.ok(view.y + view.height < 500);
+    const teleop = await openPanel(tab, 'Teleop');
+    assert.equal(await tab.evaluate(() => document.activeElement.tagName), 'SECTION', 'no field, which would open a keyboard');
+    // it is below the view, which stays
+    const stick = await teleop.locator('.joystick').boundingBox();
+    const stays = await tab.locator('#view canvas').boundingBox();
+    assert.ok(stick.y >= stays.y + stays.height && stick.y + stick.height <= 800, JSON.stringify([stick, stays]));
+    assert.ok(stays.y >= 0);
+    const robot = () => JSON.parse(pongsim('topic', '-e', '-t', '/world/pong_world/pose/info', '-n', '1', '--json'))
+      .pose.find(({ name }) => name === 'pong_bot').position;
+    const from = robot();
+    const touch = (type, x, y) => client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y }] });
+    const client = await tab.context().newCDPSession(tab);
+    const [x, y] = [stick.x + stick.width / 2, stick.y + stick.height / 2];
+    await touch('touchStart', x, y);
+    await touch('touchMove', x, y - 40);
+    await until(robot, (now) => Math.hypot((now.x ?? 0) - (from.x ?? 0), (now.y ?? 0) - (from.y ?? 0)) > 0.2, 'it drives');
+    await touch('touchEnd');
+    await until(() => teleop.locator('output').allTextContents(), (values) => values.join() === '0,0', 'it stops');
+    assert.deepEqual(other.errors, []);
+  } finally {
+    await other.close();
+  }
+});
+
+test('without the token the page asks for it', async () => {
+  const token = 'abcdef0123456789abcdef0123456789';
+  const other = await openPage(world, { environment: { PONGSIM_WEB_TOKEN: token }, first: '.bar' });
+  const { tab, address } = other;
+  try {
+    await tab.goto(address.replace(/\?.*/, ''));
+    await tab.getByText('This server asks for a token').waitFor();
+    await tab.getByText('a token is needed').waitFor();
+    assert.deepEqual(await faults(tab), []);
+    await tab.getByLabel('Address or token').fill('wrong');
+    await tab.getByRole('button', { name: 'Connect' }).click();
+    await tab.getByText('the token is wrong').waitFor();
+    await tab.getByLabel('Address or token').fill(address);
+    await tab.getByRole('button', { name: 'Connect' }).click();
+    await panel(tab, 'Entity tree').getByRole('treeitem', { name: 'pong_bot model' }).waitFor();
+    assert.equal(await tab.getByText('This server asks for a token').isVisible(), false);
   } finally {
     await other.close();
   }

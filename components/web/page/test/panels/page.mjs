@@ -16,10 +16,10 @@ export const patience = 60_000;
 
 /// Runs a world with the page.
 /// @return Its address, and a function that ends it.
-async function run(world, options) {
+async function run(world, options, environment) {
   const home = mkdtempSync(join(tmpdir(), 'pongsim-page-'));
   const child = spawn(program, ['run', world, '--web', '0', ...options], {
-    stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, HOME: home, PONGSIM_OFFLINE: '1' },
+    stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, HOME: home, PONGSIM_OFFLINE: '1', ...environment },
   });
   let said = '';
   const ended = once(child, 'exit');
@@ -47,14 +47,18 @@ async function run(world, options) {
 /// Opens the page of a world, and waits until it shows the world.
 /// @param options Further options of `pongsim run`.
 /// @param flags Further options of the browser.
-export async function openPage(world, { options = ['--paused'], flags = [], viewport = { width: 1280, height: 800 } } = {}) {
-  const simulator = await run(world, options);
+/// @param environment Further variables of `pongsim run`.
+/// @param first What is waited for.
+export async function openPage(world, {
+  options = ['--paused'], flags = [], viewport = { width: 1280, height: 800 }, environment = {}, first = '.panel', hasTouch = false,
+} = {}) {
+  const simulator = await run(world, options, environment);
   const browser = await chromium.launch({
     executablePath: process.env.PONGSIM_CHROMIUM,
     timeout: 2 * patience,
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags],
   });
-  const context = await browser.newContext({ viewport, colorScheme: 'dark', acceptDownloads: true });
+  const context = await browser.newContext({ viewport, colorScheme: 'dark', acceptDownloads: true, hasTouch });
   const tab = await context.newPage();
   tab.setDefaultTimeout(patience);
   const errors = [];
@@ -63,12 +67,12 @@ export async function openPage(world, { options = ['--paused'], flags = [], view
     if (line.type() === 'error') errors.push(line.text());
   });
   await tab.goto(simulator.address);
-  await tab.locator('.panel').first().waitFor();
+  await tab.locator(first).first().waitFor();
   const close = async () => {
     await browser.close();
     await simulator.end();
   };
-  return { tab, errors, close, endServer: simulator.end };
+  return { tab, errors, close, endServer: simulator.end, address: simulator.address };
 }
 
 /// Opens a further panel from the menu.
