@@ -277,6 +277,10 @@ class PONGSIM_API Node {
   /// relaying ones. Cheap: for watching the topics in each step.
   std::uint64_t ownTopicsVersion() const;
 
+  /// @return Why a subscription of this transport to that topic would refuse the message
+  /// (`SubscriptionOptions::largestNumber`): "linear.x is nan; ..."; nothing if none would.
+  std::optional<std::string> refusal(std::string_view topic, const Message& message) const;
+
   /// @return The services offered by this transport, sorted by name.
   std::vector<OwnService> ownServices() const;
   /// @return A number that changes when a service of this transport is added or removed. Cheap.
@@ -395,6 +399,11 @@ class PONGSIM_API Transport {
   /// @throws What a called function without a guard has thrown, after all others were called. Of several exceptions it
   /// throws the first; the others are logged.
   std::size_t dispatch();
+
+  /// Drops the messages that wait for `dispatch`, and the requests made with `Node::request`, whose `answered` is called.
+  /// Latched messages stay, because they hold until the next one, and so do requests from elsewhere, whose callers wait.
+  /// For a simulation that is reset or restored: what was sent before belongs to the time before.
+  void discard();
 
   /// Waits for messages, up to `timeout` or until `wake` is called; then does the same as `dispatch`.
   std::size_t dispatchFor(std::chrono::nanoseconds timeout);

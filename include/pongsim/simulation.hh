@@ -181,7 +181,8 @@ class PONGSIM_API Simulation {
 
   /// Resets the world to its start: time zero, and state, step size, gravity and random numbers with the same bits.
   /// Inserted models and added joints are removed; removed models return with their systems, whose errors are added to
-  /// `diagnostics`. The other systems' `reset` is called.
+  /// `diagnostics`. The other systems' `reset` is called. Messages and requests of systems that wait are dropped
+  /// (`Transport::discard`).
   /// @param seed New seed, like `SimulationOptions::seed`. Unset: the same seed.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed = std::nullopt);
 
@@ -197,7 +198,7 @@ class PONGSIM_API Simulation {
 
   /// Restores a saved state, from which the world continues with the same bits. It must be the same world with the same
   /// seed, models, systems and joints; otherwise it is refused. So is a damaged or forged state, as far as its values
-  /// show it.
+  /// show it. Messages and requests of systems that wait are dropped, as in `reset`.
   Outcome<void> restoreState(std::span<const std::byte> state);
 
   static constexpr Time kLongestStep = std::chrono::seconds(1);

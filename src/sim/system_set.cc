@@ -360,7 +360,7 @@ void SystemSet::announceChanges() {
 
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
-  queue_.clear();
+  forgetPast();
   end([&](const SystemSlot& slot) {
     return slot.endsWithReset() || (slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot);
   });
@@ -378,6 +378,11 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
     slot.setRandom(stream(slot.stream()));
     slot.reset();
   }
+}
+
+void SystemSet::forgetPast() {
+  queue_.clear();
+  failure_.reset();
 }
 
 void SystemSet::jump() {

@@ -6,6 +6,7 @@
 #include <thread>
 #include <tuple>
 
+#include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/any_type.hh"
 #include "transport/names/type_name.hh"
@@ -273,6 +274,24 @@ std::size_t Bus::dispatch(DispatchQueue& queue) {
   handedOver += client_.dispatch(queue);
   if (queue.failure) std::rethrow_exception(std::exchange(queue.failure, nullptr));
   return handedOver;
+}
+
+void Bus::discard(DispatchQueue& queue) {
+  const DispatchLock lock(queue.dispatching);
+  delivery_.discard(queue);
+  server_.discard(queue, [this](std::uint64_t call) { return !client_.isWaitedFor(call); });
+}
+
+std::optional<std::string> Bus::refusal(const DispatchQueue& queue, std::string_view topic, const Message& message) {
+  const SetUpLock lock(setUp_);
+  const auto found = channels_.find(std::pair(absoluteTopic(topic), msgs::typeName(message)));
+  if (found == channels_.end()) return std::nullopt;
+  const WaitingLock inboxesLock(delivery_.mutex);
+  for (const Inbox* inbox : found->second->inboxes) {
+    if (&inbox->queue != &queue) continue;
+    if (std::optional<std::string> reason = inbox->refusal(message)) return reason;
+  }
+  return std::nullopt;
 }
 
 void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_view what) {

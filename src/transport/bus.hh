@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,6 +66,11 @@ class Bus {
   std::vector<OwnTopic> ownTopics(const DispatchQueue& queue);
 
   std::size_t dispatch(DispatchQueue& queue);
+  /// Drops what waits for `dispatch`, as `Transport::discard` says.
+  void discard(DispatchQueue& queue);
+
+  /// @return Why a subscription of the queue's transport refuses the message, or nothing.
+  std::optional<std::string> refusal(const DispatchQueue& queue, std::string_view topic, const Message& message);
 
   /// Warns of a message that can't be used, but not too often.
   void complain(Channel& channel, const ParticipantId& sender, std::string_view what);

@@ -133,6 +133,14 @@ void Delivery::collect(DispatchQueue& queue) {
   std::ranges::sort(queue.arrivals, {}, &Arrival::number);
 }
 
+void Delivery::discard(DispatchQueue& queue) {
+  const WaitingLock lock(mutex);
+  std::erase_if(queue.inboxesWithArrivals, [this](Inbox* inbox) REQUIRES(waitingRole) {
+    inbox->forgetUnread(parcels_, inbox->channel.latched);
+    return inbox->size() == 0;
+  });
+}
+
 void Delivery::release(DispatchQueue& queue) {
   const WaitingLock lock(mutex);
   for (const Arrival& arrival : queue.arrivals) parcels_.giveBack(arrival.parcel);

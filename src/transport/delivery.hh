@@ -47,6 +47,9 @@ class Delivery {
   /// Forgets a latched message of such a sender.
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
 
+  /// Drops what waits, except latched messages.
+  void discard(DispatchQueue& queue);
+
   /// Moves what waits to the queue's arrivals, in the order of arrival; `release` ends their use.
   void collect(DispatchQueue& queue) REQUIRES(dispatchingRole);
   void release(DispatchQueue& queue) REQUIRES(dispatchingRole);

@@ -2,12 +2,15 @@
 #include "transport/dispatch_queue.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -250,6 +253,54 @@ TEST(DispatchQueueOfAProcess, OpensTheNextServiceOfANameToOthers) {
   EXPECT_TRUE(test::waitUntil([&] { return call() == "second"; }));
   isOver = true;
   dispatching.join();
+}
+
+TEST_F(DispatchQueue, DiscardsMessagesButLatchedOnes) {
+  Texts heard;
+  const Subscription hearing = hear(first_, heard);
+  Publisher once = first_.node().advertise<StringMsg>("/chatter");
+  Publisher latched = first_.node().advertise<StringMsg>("/chatter", {.latched = true});
+  once.publish(textOf("a"));
+  latched.publish(textOf("old"));
+  latched.publish(textOf("kept"));
+  once.publish(textOf("b"));
+  first_.discard();
+  once.publish(textOf("c"));
+  EXPECT_EQ(first_.dispatch(), 2U);
+  EXPECT_EQ(heard, (Texts{"kept", "c"}));
+  first_.discard();
+  EXPECT_EQ(first_.dispatch(), 0U);
+}
+
+TEST_F(DispatchQueue, DiscardsRequestsAndTellsWhoMadeThem) {
+  Texts answers;
+  const Service service = answer(first_, "first");
+  const PendingRequest request = ask(first_, answers);
+  first_.discard();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_NE(answers[0].find("/who"), std::string::npos);
+  EXPECT_EQ(first_.dispatch(), 0U);
+  const PendingRequest next = ask(first_, answers);
+  first_.dispatch();
+  EXPECT_EQ(answers.back(), "first");
+}
+
+TEST_F(DispatchQueue, TellsWhyAMessageWouldBeRefused) {
+  using ignition::msgs::Double;
+  const auto refusal = [this](double number) {
+    Double message;
+    message.set_data(number);
+    return first_.node().refusal("speed", message);
+  };
+  EXPECT_EQ(refusal(NAN), std::nullopt);
+  const Subscription hearing = first_.node().subscribe<Double>("/speed", [](const Double&) {}, {.largestNumber = 10});
+  EXPECT_EQ(refusal(10), std::nullopt);
+  for (const double bad : {11.0, double{NAN}, double{INFINITY}}) {
+    ASSERT_TRUE(refusal(bad)) << bad;
+    EXPECT_NE(refusal(bad)->find("data"), std::string::npos) << *refusal(bad);
+  }
+  // a subscription of another transport is not this one's
+  EXPECT_EQ(second_.node().refusal("speed", Double()), std::nullopt);
 }
 
 }  // namespace

@@ -17,15 +17,6 @@ namespace {
 // Most bytes that wait for one subscription; a single message may be larger.
 constexpr std::size_t kMostInboxBytes = 64 << 20;
 
-/// @return Why a message with such numbers is refused, or nothing.
-std::optional<std::string> refusal(const Message& message, double largest) {
-  const std::optional<std::string> fault = msgs::unusableNumber(message, largest);
-  if (!fault) return std::nullopt;
-  std::ostringstream text;
-  text << "is refused: " << *fault << "; numbers must be finite, from " << -largest << " to " << largest;
-  return text.str();
-}
-
 }  // namespace
 
 Inbox::Inbox(Channel& itsChannel, DispatchQueue& itsQueue, Function function, const SubscriptionOptions& options,
@@ -74,9 +65,20 @@ void Inbox::moveTo(std::vector<Arrival>& arrivals) {
   clear();
 }
 
-void Inbox::forgetUnread(ParcelPool& pool) {
-  for (std::size_t i = first_; i < waiting_.size(); ++i) pool.giveBack(waiting_[i].parcel);
+void Inbox::forgetUnread(ParcelPool& pool, const Parcel* kept) {
+  std::optional<Arrival> stays;
+  for (std::size_t i = first_; i < waiting_.size(); ++i) {
+    if (waiting_[i].parcel == kept) {
+      stays = waiting_[i];
+    } else {
+      pool.giveBack(waiting_[i].parcel);
+    }
+  }
   clear();
+  if (!stays) return;
+  // within the memory that it was in
+  waiting_.push_back(*stays);
+  waitingBytes_ = stays->parcel->bytes->bytes.size();
 }
 
 void Inbox::clear() {
@@ -112,9 +114,7 @@ std::optional<std::string> Inbox::handOverMessage(Parcel& parcel) {
   constexpr auto kDispatch = CallGuard::Moment::kDispatch;
   const Message* message = parcel.parsed(channel.type);
   if (message == nullptr) return "is not of type " + channel.type;
-  if (largestNumber_) {
-    if (std::optional<std::string> fault = refusal(*message, *largestNumber_)) return fault;
-  }
+  if (std::optional<std::string> reason = refusal(*message)) return "is refused: " + *reason;
   if (const auto* heard = std::get_if<HeardAtOnce>(&function_)) {
     const Hearing hearing(channel);
     if (!ended) call(kDispatch, [&] { (*heard)(*message, nullptr); });
@@ -122,6 +122,15 @@ std::optional<std::string> Inbox::handOverMessage(Parcel& parcel) {
     call(kDispatch, [&] { std::get<std::function<void(const Message&)>>(function_)(*message); });
   }
   return std::nullopt;
+}
+
+std::optional<std::string> Inbox::refusal(const Message& message) const {
+  if (!largestNumber_) return std::nullopt;
+  const std::optional<std::string> fault = msgs::unusableNumber(message, *largestNumber_);
+  if (!fault) return std::nullopt;
+  std::ostringstream text;
+  text << *fault << "; numbers must be finite, from " << -*largestNumber_ << " to " << *largestNumber_;
+  return text.str();
 }
 
 void Inbox::hear(const Message& message, const Bulk* bulk) const {

@@ -50,8 +50,8 @@ class Inbox {
   void add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) REQUIRES(waitingRole);
   /// Moves all waiting messages to the end of `arrivals`.
   void moveTo(std::vector<Arrival>& arrivals) REQUIRES(waitingRole);
-  /// Forgets all waiting messages. Takes no memory.
-  void forgetUnread(ParcelPool& pool) REQUIRES(waitingRole);
+  /// Forgets all waiting messages but `kept`. Takes no memory.
+  void forgetUnread(ParcelPool& pool, const Parcel* kept = nullptr) REQUIRES(waitingRole);
   std::size_t size() const REQUIRES(waitingRole) { return waiting_.size() - first_; }
   /// Without dropped ones.
   std::uint64_t received() const REQUIRES(waitingRole) { return added_ - dropped_; }
@@ -60,6 +60,9 @@ class Inbox {
   /// Passes a message to the subscription, within `dispatch`.
   /// @return Why it can't be used ("is not of type ignition.msgs.Twist"), or nothing.
   std::optional<std::string> handOver(Parcel& parcel);
+
+  /// @return Why the subscription refuses the message's numbers, or nothing.
+  std::optional<std::string> refusal(const Message& message) const;
 
   /// Passes a message to a subscription at once, within `publish`.
   void hear(const Message& message, const Bulk* bulk) const;

@@ -120,6 +120,10 @@ std::uint64_t Subscription::dropped() const {
 
 std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
 
+std::optional<std::string> Node::refusal(std::string_view topic, const Message& message) const {
+  return bus_->refusal(*queue_, fullName(topic), message);
+}
+
 std::uint64_t Node::ownTopicsVersion() const { return queue_->ownTopicsVersion.load(std::memory_order_relaxed); }
 
 std::vector<OwnService> Node::ownServices() const {

@@ -35,6 +35,8 @@ std::optional<std::string> Transport::openTo() const {
 
 std::size_t Transport::dispatch() { return bus_->dispatch(*queue_); }
 
+void Transport::discard() { bus_->discard(*queue_); }
+
 std::size_t Transport::dispatchFor(std::chrono::nanoseconds timeout) {
   bus_->delivery().wait(*queue_, timeout);
   return bus_->dispatch(*queue_);

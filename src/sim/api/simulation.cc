@@ -335,6 +335,8 @@ Outcome<void> Simulation::setStepSize(Time size) {
 Outcome<void> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
+  // what was sent before belongs to the time before
+  parts_->transport.discard();
   sim::Editor(parts_->access).reset();
   parts_->access.levels.start();
   parts_->systems.reset(diagnostics, seed);
@@ -354,7 +356,11 @@ Outcome<void> Simulation::setTime(Time time) {
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systems); }
 
 Outcome<void> Simulation::restoreState(std::span<const std::byte> state) {
-  return sim::restoreState(state, parts_->access, parts_->systems);
+  Outcome<void> restored = sim::restoreState(state, parts_->access, parts_->systems);
+  if (!restored) return restored;
+  parts_->transport.discard();
+  parts_->systems.forgetPast();
+  return {};
 }
 
 World Simulation::world() { return World(parts_->access); }

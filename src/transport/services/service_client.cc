@@ -253,6 +253,11 @@ std::size_t ServiceClient::dispatch(DispatchQueue& queue) {
   return called;
 }
 
+bool ServiceClient::isWaitedFor(std::uint64_t call) {
+  const Lock lock(mutex_);
+  return calls_.contains(call);
+}
+
 std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::string_view service, const Message& request,
                                                  const std::string& replyType, Answered answered) {
   const std::string name = absoluteService(service);

@@ -49,6 +49,8 @@ class ServiceClient {
   /// Calls the functions of this queue's requests to which services of other queues have responded.
   /// @return Their number.
   std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  /// @return Whether a thread waits in `call` for the response.
+  bool isWaitedFor(std::uint64_t call);
 
   /// Cancels the call of the request's function.
   void forget(std::uint64_t request);

@@ -271,6 +271,25 @@ std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
   return ready.size();
 }
 
+void ServiceServer::discard(DispatchQueue& queue, const std::function<bool(std::uint64_t call)>& isMeant) {
+  std::vector<std::uint64_t> dropped;
+  {
+    const RequestsLock lock(mutex_);
+    for (const auto& [name, offers] : offers_) {
+      for (const auto& offer : offers) {
+        if (&offer->queue != &queue) continue;
+        std::erase_if(offer->waiting, [&](const Offer::Request& request) REQUIRES(requestsRole) {
+          if (request.client != kOwn || !isMeant(request.call)) return false;
+          offer->waitingBytes -= request.message.size();
+          dropped.push_back(request.call);
+          return true;
+        });
+      }
+    }
+  }
+  for (const std::uint64_t call : dropped) answerOwn_(queue, call, std::nullopt, {});
+}
+
 void ServiceServer::handle(Offer& offer, const Offer::Request& request) {
   if (!msgs::parseBytes(request.message, *offer.request)) {
     complain(offer, request.client, "is not of type " + offer.requestType);

@@ -101,6 +101,8 @@ class ServiceServer {
   bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
 
   std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  /// Drops the waiting requests of this bus whose call number fulfils `isMeant`, and tells those who have posted them.
+  void discard(DispatchQueue& queue, const std::function<bool(std::uint64_t call)>& isMeant) REQUIRES(dispatchingRole);
 
  private:
   struct Ready {
