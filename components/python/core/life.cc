@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/errors.hh"
+#include "core/sensor.hh"
 
 namespace pongsim::python {
 
@@ -65,6 +66,7 @@ void Life::release() {
     if (const auto pending = each.lock()) pending->letGo();
   }
   for (const std::shared_ptr<Pending>& each : std::exchange(held_, {})) each->letGo();
+  streams.clear();
   publishers.clear();
   simulation_.reset();
   transport_.reset();
@@ -87,6 +89,13 @@ void Life::tell(const std::weak_ptr<Pending>& pending) {
   pending_.push_back(pending);
 }
 
+void Life::forgetPast() {
+  for (const std::weak_ptr<Pending>& each : pending_) {
+    if (const auto pending = each.lock()) pending->forget();
+  }
+  for (const std::shared_ptr<Pending>& each : held_) each->forget();
+}
+
 int Life::traverse(visitproc visit, void* arg) const {
   for (const std::weak_ptr<Kept>& each : kept_) {
     if (const auto kept = each.lock()) Py_VISIT(kept->ptr());
@@ -104,10 +113,10 @@ void Life::begin() {
 void Life::end() { stepper_ = 0; }
 
 bool Life::mustStop() {
-  if (hasError_) return true;
+  if (hasError_ || interpreter::isEnding()) return true;
   if (now() < nextLook_) return false;
   nextLook_ = now() + std::chrono::nanoseconds(kLook).count();
-  const py::gil_scoped_acquire gil;
+  const interpreter::Held gil;
   if (PyErr_CheckSignals() != 0) {
     py::error_already_set error;
     noteError(error);

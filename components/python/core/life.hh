@@ -12,10 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/interpreter.hh"
 #include "pongsim/node.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim::python {
+
+class Stream;
 
 namespace py = pybind11;
 
@@ -38,7 +41,7 @@ class Kept {
 /// Ends a subscription. This waits for a dispatch on another thread to finish, which may need the GIL.
 inline void end(Subscription& subscription) {
   if (!subscription) return;
-  const py::gil_scoped_release released;
+  const interpreter::Released released;
   subscription = Subscription();
 }
 
@@ -54,6 +57,8 @@ class Life {
    public:
     virtual ~Pending() = default;
     virtual void letGo() = 0;
+    /// Called when the world is reset or a state is restored: forgets what was received before.
+    virtual void forget() {}
   };
 
   /// @param transport Null: the simulation's own.
@@ -114,8 +119,13 @@ class Life {
     std::erase_if(held_, [&](const std::shared_ptr<Pending>& each) { return each.get() == &pending; });
   }
 
+  /// Makes all that has received something forget it, because it is of the time before a reset or a restored state.
+  void forgetPast();
+
   /// Publishers of the simulation, destroyed before it.
   Publishers publishers;
+  /// The readings that are switched on, by the sensor's id and their kind. All objects for a sensor share them.
+  std::map<std::pair<std::uint64_t, std::string>, std::shared_ptr<Stream>> streams;
 
  private:
   void checkThread() const;
@@ -145,15 +155,13 @@ class Life {
 template <class Work>
 void Life::stepping(Work work) {
   begin();
-  PyThreadState* state = PyEval_SaveThread();
   try {
+    const interpreter::Released released;
     work();
   } catch (...) {
-    PyEval_RestoreThread(state);
     end();
     throw;
   }
-  PyEval_RestoreThread(state);
   end();
   if (hasError_) raiseNoted();
 }
@@ -164,15 +172,13 @@ void Life::steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work) 
     for (const auto& life : lives) life->end();
   };
   for (const auto& life : lives) life->begin();
-  PyThreadState* state = PyEval_SaveThread();
   try {
+    const interpreter::Released released;
     work();
   } catch (...) {
-    PyEval_RestoreThread(state);
     endAll();
     throw;
   }
-  PyEval_RestoreThread(state);
   endAll();
   for (const auto& life : lives) {
     if (!life->hasError_) continue;

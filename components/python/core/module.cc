@@ -3,6 +3,7 @@
 
 #include "core/errors.hh"
 #include "core/handles.hh"
+#include "core/interpreter.hh"
 #include "core/picture.hh"
 #include "core/pool.hh"
 #include "core/python_system.hh"
@@ -23,6 +24,7 @@ void setLogLevel(int level) {
 
 PYBIND11_MODULE(_core, module) {
   namespace python = pongsim::python;
+  python::interpreter::expectEnd();
   python::translateErrors();
   python::bindSensors(module);
   python::bindHandles(module);

@@ -14,13 +14,6 @@ namespace {
 /// How often an idle thread looks for work before it sleeps: some 200 us, so that it stays awake between two steps of a
 /// learner. A sleeping one is often woken on the processor of the thread that wakes it, and has to wait there.
 constexpr int kLooks = 8000;
-/// Maximum number of rounds in which waiting messages cause further ones; the rest is dropped.
-constexpr int kMostRounds = 8;
-
-void handOver(Simulation& simulation) {
-  for (int i = 0; i < kMostRounds && simulation.transport().dispatch() > 0; ++i) continue;
-}
-
 std::string nameOf(std::size_t world) { return "environment " + std::to_string(world); }
 
 }  // namespace
@@ -29,6 +22,12 @@ void Pool::Place::letGo() {
   // references into the simulation are destroyed before it
   readings.clear();
   steerings.clear();
+}
+
+void Pool::Place::forget() {
+  for (const Reading& reading : readings) {
+    if (reading.topic) reading.topic->forget();
+  }
 }
 
 Pool::Pool(std::vector<std::shared_ptr<Life>> lives, std::size_t threads)
@@ -188,6 +187,13 @@ void Pool::advance(std::size_t world, Simulation& simulation) {
 void Pool::step() {
   if (isSealed_) checkActions();
   forAll("a step", [this](std::size_t i, Simulation& simulation) { advance(i, simulation); });
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (rowOf<std::uint8_t>(commanded, i, 1)[0] == 0) continue;
+    const std::string name = missing(i);
+    if (name.empty()) continue;
+    raise("NoReading", nameOf(i) + " has no reading of " + name +
+                           " since its world was reset or restored by other means; call reset");
+  }
 }
 
 void Pool::save(std::size_t world) {
@@ -201,8 +207,6 @@ void Pool::save(std::size_t world) {
 void Pool::putBack(std::size_t world, Simulation& simulation) {
   if (rowOf<std::uint8_t>(restored, world, 1)[0] == 0) return;
   const Place& place = *worlds_[world];
-  // queued messages belong to the time before
-  handOver(simulation);
   const Outcome<void> put = simulation.restoreState(place.saved);
   if (!put) throw std::invalid_argument(put.error);
   for (const Reading& reading : place.readings) {
@@ -212,19 +216,13 @@ void Pool::putBack(std::size_t world, Simulation& simulation) {
 }
 
 void Pool::restore() {
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (isSealed_ && rowOf<std::uint8_t>(restored, i, 1)[0] != 0) lives_[i]->forgetPast();
+  }
   try {
     forAll("restoring", [this](std::size_t i, Simulation& simulation) { putBack(i, simulation); });
   } catch (const std::invalid_argument& refusal) {
     raise("Refused", refusal.what());
-  }
-}
-
-void Pool::forget(std::size_t world) {
-  Place& place = placeOf(world);
-  Simulation& simulation = place.life->edit("a reset");
-  place.life->stepping([&] { handOver(simulation); });
-  for (const Reading& reading : place.readings) {
-    if (reading.topic) reading.topic->forget();
   }
 }
 

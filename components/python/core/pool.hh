@@ -44,14 +44,13 @@ class Pool {
   void seal();
 
   /// Runs as many steps as `steps` says, applying the actions of worlds with `commanded` set, and reads.
-  /// Raises ValueError for an action that is not finite, and any exception raised in a step.
+  /// Raises ValueError for an action that is not finite, any exception raised in a step, and NoReading if a commanded
+  /// world has none, because somebody else has reset it.
   void step();
   /// Saves a world's state and its readings, for `restore`.
   void save(std::size_t world);
   /// Restores the worlds with `restored` set to their saved states, and reads. Raises Refused.
   void restore();
-  /// Delivers the messages waiting in a world and forgets what was received: called before it is reset.
-  void forget(std::size_t world);
   /// @return The name of a reading that a world has not received yet; empty if it has all.
   std::string missing(std::size_t world) const;
 
@@ -73,6 +72,7 @@ class Pool {
    public:
     explicit Place(std::shared_ptr<Life> ofWhom) : life(std::move(ofWhom)) {}
     void letGo() override;
+    void forget() override;
 
     std::shared_ptr<Life> life;
     std::vector<Reading> readings;

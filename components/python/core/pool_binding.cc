@@ -58,7 +58,6 @@ void bindPool(py::module_& module) {
       .def("step", &Pool::step)
       .def("save", &Pool::save)
       .def("restore", &Pool::restore)
-      .def("forget", &Pool::forget)
       .def("missing", &Pool::missing)
       .def_property_readonly("action_size", &Pool::actionSize)
       .def_readonly("actions", &Pool::actions)

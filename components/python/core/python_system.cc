@@ -43,7 +43,7 @@ void PythonSystem::reset() {
 /// what the step raises.
 template <class Work>
 void PythonSystem::guarded(Work work) {
-  const py::gil_scoped_acquire gil;
+  const interpreter::Held gil;
   try {
     work();
   } catch (py::error_already_set& error) {
@@ -66,11 +66,14 @@ void PythonSystem::call(const Method& method, const StepInfo* info) {
 }
 
 void PythonSystem::transfer(StateArchive& archive) {
-  if (!save_ || !restore_) return;
-  const py::gil_scoped_acquire gil;
+  const interpreter::Held gil;
   try {
     const py::module_ values = py::module_::import("pongsim.saved_value");
     std::string bytes;
+    bool isWell = self_->get().attr("error").is_none();
+    archive(isWell);
+    if (archive.isGiving() && isWell) self_->get().attr("error") = py::none();
+    if (!save_ || !restore_) return;
     if (!archive.isGiving()) {
       bytes = values.attr("encode")(save_->get()(), py::type::of(self_->get()).attr("__name__")).cast<std::string>();
     }

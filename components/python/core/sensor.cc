@@ -133,21 +133,28 @@ void Stream::hearBulk(const Message& heard, const Bulk* bulk) {
   }
 }
 
-Stream& PySensor::listen(const std::string& kind) {
-  std::shared_ptr<Stream>& stream = streams[kind];
-  if (stream) return *stream;
+std::shared_ptr<Stream> PySensor::listen(const std::string& kind) {
   const Sensor& sensor = use();
+  const std::pair key(sensor.id().value, kind);
+  if (const auto found = life->streams.find(key); found != life->streams.end()) return found->second;
   std::string known;
   for (const SensorReadings& readings : life->use().readings(sensor.type())) {
     known += (known.empty() ? "" : ", ") + readings.kind;
     if (readings.kind != kind) continue;
-    stream = std::make_shared<Stream>(life, sensor.topic(readings), readings.messageType, kind);
+    auto stream = std::make_shared<Stream>(life, sensor.topic(readings), readings.messageType, kind);
     life->tell(stream);
-    return *stream;
+    life->streams.emplace(key, stream);
+    return stream;
   }
-  streams.erase(kind);
   throw py::value_error("sensor '" + sensor.scopedName() + "' of type " + std::string(sensor.type()) + " has no " +
                         kind + (known.empty() ? ": no system of the world supports its type" : "; it has " + known));
+}
+
+void PySensor::stop(const std::string& kind) {
+  const auto found = life->streams.find({use().id().value, kind});
+  if (found == life->streams.end()) return;
+  found->second->letGo();
+  life->streams.erase(found);
 }
 
 PySensor findSensor(const std::shared_ptr<Life>& life, const std::string& name) {
@@ -155,10 +162,10 @@ PySensor findSensor(const std::shared_ptr<Life>& life, const std::string& name) 
   std::vector<Sensor> named;
   for (const Sensor& sensor : allSensors(life->use())) {
     scoped.push_back(sensor.scopedName());
-    if (scoped.back() == name) return {life, sensor, {}};
+    if (scoped.back() == name) return {life, sensor};
     if (sensor.name() == name) named.push_back(sensor);
   }
-  if (named.size() == 1) return {life, named.front(), {}};
+  if (named.size() == 1) return {life, named.front()};
   if (!named.empty()) {
     throw py::key_error("several sensors are called '" + name + "'; one is " + named.front().scopedName());
   }
@@ -222,13 +229,11 @@ void bindSensors(py::module_& module) {
       .def(
           "stream",
           [](PySensor& self, const std::string& kind) {
-            if (self.use().exists())
-              self.listen(kind);
-            else
-              raise("Gone", "the sensor is gone: its model was removed");
-            return self.streams.at(kind);
+            if (!self.use().exists()) raise("Gone", "the sensor is gone: its model was removed");
+            return self.listen(kind);
           },
-          py::arg("kind"), "Readings of one kind; the first call switches them on.");
+          py::arg("kind"), "Readings of one kind; the first call switches them on.")
+      .def("stop", &PySensor::stop, py::arg("kind"), "Switches readings of one kind off.");
 }
 
 }  // namespace pongsim::python

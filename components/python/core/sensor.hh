@@ -3,7 +3,6 @@
 #include <pybind11/pybind11.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,13 +13,15 @@
 
 namespace pongsim::python {
 
-/// One kind of reading of a sensor. Each new reading is written to the memory that NumPy arrays refer to.
+/// One kind of reading of a sensor. Each new reading is written to the memory that NumPy arrays refer to. The
+/// simulation keeps it (`Life::streams`), so that it stays on when no object of Python refers to it.
 class Stream final : public Life::Pending {
  public:
   /// @param kind As in `SensorReadings`.
   Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type, const std::string& kind);
   ~Stream() override { end(subscription_); }
   void letGo() override { end(subscription_); }
+  void forget() override { count = 0; }
 
   /// @return Itself, if no other thread is stepping and might write meanwhile.
   /// Raises Gone, Busy like `Life::use`.
@@ -53,19 +54,20 @@ class Stream final : public Life::Pending {
   Subscription subscription_;
 };
 
-/// A sensor and its streams.
+/// A sensor.
 struct PySensor {
   std::shared_ptr<Life> life;
   Sensor inner;
-  std::map<std::string, std::shared_ptr<Stream>> streams;
 
   Sensor& use() {
     life->use();
     return inner;
   }
-  /// Starts listening, unless it already does.
+  /// @return Its readings of that kind, which the first call switches on.
   /// Raises ValueError for a kind that the sensor does not have.
-  Stream& listen(const std::string& kind);
+  std::shared_ptr<Stream> listen(const std::string& kind);
+  /// Switches readings off.
+  void stop(const std::string& kind);
 };
 
 /// @return The sensor with this scoped name, "model::link::sensor", or with this name if it is unique. Raises KeyError.

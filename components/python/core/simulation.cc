@@ -49,7 +49,7 @@ std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool l
   Diagnostics diagnostics;
   std::unique_ptr<Simulation> simulation;
   {
-    const py::gil_scoped_release released;
+    const interpreter::Released released;
     simulation = isText(world) ? Simulation::fromText(world, file, options, diagnostics)
                                : Simulation::fromFile(world, options, diagnostics);
     if (simulation) simulation->offerEdits();
@@ -96,8 +96,10 @@ void runUntil(Owner& owner, double seconds) {
 }
 
 void reset(Owner& owner, std::optional<std::uint64_t> seed) {
+  Simulation& simulation = owner.life->edit("a reset");
+  owner.life->forgetPast();
   Diagnostics diagnostics;
-  takeSteps(*owner.life, [&, &simulation = owner.life->edit("a reset")] { simulation.reset(diagnostics, seed); });
+  takeSteps(*owner.life, [&] { simulation.reset(diagnostics, seed); });
   warnOf(diagnostics.all());
 }
 
@@ -112,6 +114,7 @@ void restore(Owner& owner, const py::bytes& state) {
   if (PyBytes_AsStringAndSize(state.ptr(), &data, &size) != 0) throw py::error_already_set();
   checkOutcome(owner.life->edit("restoring")
                    .restoreState({reinterpret_cast<const std::byte*>(data), static_cast<std::size_t>(size)}));
+  owner.life->forgetPast();
 }
 
 void collect(const std::vector<Model>& from, std::vector<Model>& models) {

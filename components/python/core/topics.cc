@@ -89,7 +89,7 @@ void PythonSubscription::letGo() {
 }
 
 void PythonSubscription::receive(Life& life, std::string_view name, std::span<const std::byte> bytes) {
-  const py::gil_scoped_acquire gil;
+  const interpreter::Held gil;
   if (!callback_) return;
   try {
     const py::object callback = callback_->get();

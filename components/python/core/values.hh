@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::python {

@@ -18,8 +18,11 @@ class Sensor:
 
     Arrays are read-only views of the memory with the sensor's latest reading: nothing is copied, and they change with the
     next reading. Use `copy()` to keep one. A sensor is switched on when one of its readings is first used, since an unused
-    sensor costs nothing; until its next reading, that raises NoReading.
+    sensor costs nothing, and stays on until `switch_off`; all objects for it share its readings. Access raises NoReading
+    until the next reading, and so it does after a reset or after a state was restored.
     """
+
+    __slots__ = ("_core", "_arrays")
 
     def __init__(self, core: _core.Sensor, kinds: tuple[str, ...]) -> None:
         self._core = core
@@ -98,7 +101,8 @@ class Sensor:
         return self._read(kind).message(type)
 
     def count(self, kind: str | None = None) -> int:
-        """Number of readings of that kind, or of the main one, since it was switched on."""
+        """Number of readings of that kind, or of the main one, since it was switched on, or since the last reset or
+        restored state."""
         return self._core.stream(kind or self.kinds[0]).count
 
     def time(self, kind: str | None = None) -> float:
@@ -109,12 +113,20 @@ class Sensor:
         """Memory address of the last reading, where its array is."""
         return self._read(kind or self.kinds[0]).written_at
 
+    def switch_off(self, *kinds: str) -> None:
+        """Switches readings of these kinds off, by default of all: the sensor costs nothing until it is used again.
+
+        It does so for all objects for the sensor. Arrays of its last readings stay as they are.
+        """
+        for kind in kinds or tuple(self.kinds):
+            self._core.stop(kind)
+
     def _read(self, kind: str) -> _core.Stream:
         stream = self._core.stream(kind)
         if stream.count == 0:
             raise NoReading(
-                f"sensor '{self.scoped_name}' has no {kind} yet: it is switched on now and takes the next "
-                "reading when one is due"
+                f"sensor '{self.scoped_name}' has no {kind} yet: it takes the next one in a step in which one is due "
+                f"({f'{self.update_rate:g} per second' if self.update_rate else 'each'}), so step the simulation first"
             )
         return stream
 

@@ -148,3 +148,37 @@ def test_a_sensor_goes_with_its_model():
                 ask()
     with pytest.raises(pongsim.Gone):
         laser.ranges
+
+
+def test_all_objects_for_a_sensor_share_its_readings():
+    with seen(LASER % 1) as sim:
+        for _ in range(20):
+            try:
+                ranges = sim.sensor("laser").ranges
+                break
+            except pongsim.NoReading as error:
+                assert "100 per second" in str(error) and "step" in str(error)
+                sim.step(10)
+        assert ranges[2] == pytest.approx(2.0 / np.cos(0.1), rel=1e-5)
+        first, second = sim.sensor("laser"), sim.sensor("eye::l::laser")
+        assert address(first.ranges) == address(second.ranges) and first.count() == second.count() > 0
+        second.switch_off()
+        with pytest.raises(pongsim.NoReading):
+            first.ranges
+        assert ranges[2] == pytest.approx(2.0 / np.cos(0.1), rel=1e-5)
+
+
+def test_a_sensor_that_was_removed_and_another_of_its_name_are_two():
+    with seen(LASER % 1) as sim:
+        first = sim.sensor("laser")
+        sim.step(20)
+        near = first.ranges[2]
+        text = (SEEN % (LASER % 1)).partition('<model name="eye">')[2].partition("</model>")[0]
+        sim.remove(sim.model("eye"))
+        sim.insert(f'<sdf version="1.9"><model name="eye">{text}</model></sdf>', pose=(1, 0, 0))
+        with pytest.raises(pongsim.Gone):
+            first.ranges
+        with pytest.raises(pongsim.NoReading):
+            sim.sensor("laser").ranges
+        sim.step(20)
+        assert sim.sensor("laser").ranges[2] < near

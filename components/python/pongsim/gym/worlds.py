@@ -207,7 +207,6 @@ class Worlds:
                 if task.start is not None:
                     to_settle.append(i)
                 continue
-            pool.forget(i)
             # seeds with more than 64 bits are cut
             self.simulations[i].reset(seed=None if seed is None else seed % 2**64)
             to_settle.append(i)
