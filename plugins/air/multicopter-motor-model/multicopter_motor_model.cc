@@ -31,7 +31,10 @@ class MulticopterMotorModel : public System {
     declaration.parameter("robotNamespace", &nameSpace_, "", "prefix of the topics").otherwise("M");
     declaration.parameter("jointName", &jointName_, "", "joint of the rotor; torques act on its parent").required();
     declaration.parameter("linkName", &linkName_, "", "link of the rotor; thrust acts along its z axis").required();
-    declaration.parameter("motorNumber", &number_, "", "index in the command").atLeast(0);
+    declaration.parameter("actuator_number", &actuator_, "", "index in the command")
+        .atLeast(0)
+        .otherwise("motorNumber");
+    declaration.parameter("motorNumber", &number_, "", "the same in worlds for Fortress").atLeast(0);
     declaration.parameter("turningDirection", &directionName_, "", "'cw' or 'ccw', seen from above");
     declaration.parameter("motorType", &type_, "", "'velocity'; 'position' and 'force' have no effect, as in Fortress");
     declaration.parameter("commandSubTopic", &commandTopic_, "", "command topic, in the namespace");
@@ -50,7 +53,7 @@ class MulticopterMotorModel : public System {
                    "factor by which the joint turns slower than the simulated rotor")
         .above(0);
     declaration.subscribes("/<robotNamespace>/<commandSubTopic>", "ignition.msgs.Actuators",
-                           "`velocity[motorNumber]` [rad/s], which holds until the next command; ignored if a "
+                           "`velocity[actuator_number]` [rad/s], which holds until the next command; ignored if a "
                            "system of the model commands its rotors");
     declaration.publishes("/<robotNamespace>/<motorSpeedPubTopic>", "ignition.msgs.Double",
                           "speed of the rotor [rad/s], negative if it turns clockwise, in each step");
@@ -69,6 +72,7 @@ class MulticopterMotorModel : public System {
     link_ = requiredLink(context.sdf, "linkName", *model_);
     center_ = link_->mass().center;
     axis_ = joint_->poseInChild().rotation * joint_->axisInfo().xyz;
+    if (actuator_ >= 0) number_ = actuator_;
     checkType(context.sdf, context.diagnostics);
     checkDirection(context.sdf, context.diagnostics);
     warnOfOddValues(context.sdf, context.diagnostics);
@@ -134,8 +138,9 @@ class MulticopterMotorModel : public System {
   }
 
   void warnOfOddValues(const Element& sdf, Diagnostics& diagnostics) const {
-    if (sdf.child("motorNumber") == nullptr) {
-      diagnostics.warning(sdf.position, "a rotor without a <motorNumber> has the number 0");
+    if (actuator_ < 0 && sdf.child("motorNumber") == nullptr) {
+      diagnostics.warning(sdf.position, "a rotor without an <actuator_number> has the number 0",
+                          "for Fortress it is <motorNumber>");
     }
     for (const auto& [name, value] : {std::pair("motorConstant", motorConstant_),
                                       {"momentConstant", momentConstant_},
@@ -200,6 +205,7 @@ class MulticopterMotorModel : public System {
   std::string nameSpace_, jointName_, linkName_, commandTopic_, speedTopic_;
   std::string directionName_ = "cw";
   std::string type_ = "velocity";
+  int actuator_ = -1;
   int number_ = 0;
   double maximum_ = 838;
   double motorConstant_ = 8.54858e-6;

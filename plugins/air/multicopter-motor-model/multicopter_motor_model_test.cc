@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/drone_world.hh"
@@ -165,6 +166,20 @@ TEST(MulticopterMotorModel, TellsItsSpeed) {
   EXPECT_NEAR(messages[499].data(), -200, 1e-2);
 }
 
+// it is what later releases call the number
+TEST(MulticopterMotorModel, TakesItsNumberFromTheActuatorNumber) {
+  std::string text = drone({});
+  for (const auto& [from, to] : {std::pair("<motorNumber>0</motorNumber>", "<actuator_number>3</actuator_number>"),
+                                 {"<motorNumber>3<", "<actuator_number>0</actuator_number><motorNumber>9<"}}) {
+    text.replace(text.find(from), std::string(from).size(), to);
+  }
+  RunningWorld world(kWeightless + text);
+  command(world, {100, 200, 300, 400});
+  world.step(500);
+  EXPECT_NEAR(speedOf(world, 0), 400, 1e-3);
+  EXPECT_NEAR(speedOf(world, 3), -100, 1e-3);
+}
+
 TEST(MulticopterMotorModel, IgnoresCommandsThatMakeNoSense) {
   RunningWorld world(kWeightless + drone({}));
   command(world, {100, 100, 100, 100});
@@ -228,7 +243,7 @@ TEST(MulticopterMotorModel, SaysWhatIsWrongWithAMotor) {
       {"<motorType>velocity", "<motorType>speed", "<motorType> is 'speed': 'velocity' is used"},
       {"<turningDirection>ccw", "<turningDirection>left", "<turningDirection> is 'left': 'cw' is used"},
       {"<turningDirection>ccw</turningDirection>", "", "a rotor without a <turningDirection> turns clockwise"},
-      {"<motorNumber>0</motorNumber>", "", "a rotor without a <motorNumber> has the number 0"},
+      {"<motorNumber>0</motorNumber>", "", "a rotor without an <actuator_number> has the number 0"},
       {"<motorNumber>0", "<motorNumber>-1", left + "<motorNumber> must be zero or more"},
       {"<motorNumber>0", "<timeConstantUp>-1</timeConstantUp><motorNumber>0",
        left + "<timeConstantUp> must be zero or more"},

@@ -1,5 +1,6 @@
 #include "geometry.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -34,6 +35,16 @@ AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double line
   const double difference = geometry.wheelSeparation / (2 * radius);
   command.leftSpeed = linear * (1 - difference) / geometry.wheelRadius;
   command.rightSpeed = linear * (1 + difference) / geometry.wheelRadius;
+  return command;
+}
+
+AckermannCommand ackermannAngles(const AckermannGeometry& geometry, double angle) {
+  const auto [sine, cosine] = math::sinCos(std::clamp(angle, -geometry.steeringLimit, geometry.steeringLimit));
+  AckermannCommand command;
+  command.leftAngle =
+      math::atan(2 * geometry.wheelBase * sine / (2 * geometry.wheelBase * cosine - geometry.wheelSeparation * sine));
+  command.rightAngle =
+      math::atan(2 * geometry.wheelBase * sine / (2 * geometry.wheelBase * cosine + geometry.wheelSeparation * sine));
   return command;
 }
 

@@ -26,6 +26,10 @@ struct AckermannCommand {
 /// @param angular Commanded turning rate [rad/s]; a turn narrower than the steering allows becomes the narrowest.
 AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double linear, double angular);
 
+/// @param angle Commanded steering angle of the middle of the front axle [rad]; limited to what the steering allows.
+/// @return The angles of the wheels; no speeds. As in Gazebo, the distance of the steering axes is `wheelSeparation`.
+AckermannCommand ackermannAngles(const AckermannGeometry& geometry, double angle);
+
 /// Odometry of a car from the angles of its wheels, with Fortress's formula.
 class AckermannOdometry {
  public:

@@ -35,6 +35,15 @@ TEST(AckermannCommand, TurnsNoNarrowerThanItCan) {
   EXPECT_EQ(ackermannCommand(kCar, 0, -1).leftSpeed, 0);
 }
 
+// the wheels of an axle point at the centre on the rear axle's line: R = base / tan(angle) from the middle
+TEST(AckermannAngles, PointTheWheelsAtOneCentre) {
+  const double radius = 2 / std::tan(0.3);
+  EXPECT_NEAR(ackermannAngles(kCar, 0.3).leftAngle, std::atan(2 / (radius - 0.5)), 1e-12);
+  EXPECT_NEAR(ackermannAngles(kCar, 0.3).rightAngle, std::atan(2 / (radius + 0.5)), 1e-12);
+  EXPECT_EQ(ackermannAngles(kCar, 0.3).leftSpeed, 0);
+  EXPECT_EQ(ackermannAngles(kCar, -7).leftAngle, ackermannAngles(kCar, -0.5).leftAngle);
+}
+
 TEST(AckermannOdometry, FollowsACircle) {
   AckermannOdometry odometry;
   const double steering = std::atan(2.0 / 10);

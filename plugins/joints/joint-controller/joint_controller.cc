@@ -1,6 +1,7 @@
-#include <optional>
 #include <string>
+#include <vector>
 
+#include "pongsim/control/command_topic.hh"
 #include "pongsim/control/pid.hh"
 #include "pongsim/control/setpoint.hh"
 #include "pongsim/parameters.hh"
@@ -17,30 +18,43 @@ class JointController : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is("Drives a joint at a commanded velocity.", Declaration::Place::kModel);
-    declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
-    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/joint/J/cmd_vel");
+    declaration
+        .parameter("joint_name", &jointNames_, "",
+                   "joint of the model, with one axis; further ones of the same kind are driven like the first")
+        .required();
+    command_.declare(declaration, "/model/M/joint/J/cmd_vel");
     declaration.parameter("initial_velocity", &initialTarget_, "rad/s or m/s", "velocity until the first command");
     declaration.parameter("use_force_commands", &usesForce_, "", "drives the joint by forces from a PID controller");
     declarePid(declaration, settings_, "N m or N");
+    declaration.parameter(
+        "disable_braking", &isFreewheeling_, "",
+        "a force never brakes: a joint that is faster than the command, or has no command, runs free");
+    declaration.element("control_type", "no effect, as in Gazebo");
     declaration.subscribes("<topic>", "ignition.msgs.Double", "velocity [rad/s or m/s]");
+    declaration.subscribes("<topic>", "ignition.msgs.Actuators",
+                           "with `<use_actuator_msg>`: `velocity[actuator_number]` [rad/s or m/s]");
   }
 
   void configure(const SystemContext& context) override {
-    const Model& model = *context.model;
-    joint_ = requiredJoint(context.sdf, "joint_name", model);
+    joints_ = requiredJoints(context.sdf, "joint_name", *context.model);
     pid_ = Pid(settings_);
-    const std::string topic =
-        topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_vel");
-    target_.listen(context.node, topic, initialTarget_);
+    target_.listen(
+        context, command_,
+        "/model/" + std::string(context.model->name()) + "/joint/" + std::string(joints_[0].name()) + "/cmd_vel",
+        Setpoint::Kind::kVelocity, initialTarget_);
   }
 
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
-    if (usesForce_) {
-      joint_->addForce(pid_.update(joint_->velocity() - target_.value(), toSeconds(info.dt)));
-    } else {
-      joint_->setVelocityTarget(target_.value());
+    if (!usesForce_) {
+      for (Joint& joint : joints_) joint.setVelocityTarget(target_.value());
+      return;
     }
+    const double error = joints_[0].velocity() - target_.value();
+    const bool isTooSlow = target_.value() != 0 && error * target_.value() <= 0;
+    if (isFreewheeling_ && !isTooSlow) return;
+    const double force = pid_.update(error, toSeconds(info.dt));
+    for (Joint& joint : joints_) joint.addForce(force);
   }
 
   void reset() override {
@@ -54,11 +68,12 @@ class JointController : public System {
   }
 
  private:
-  std::string jointName_;
-  std::string topic_;
+  std::vector<std::string> jointNames_;
+  CommandTopic command_;
   bool usesForce_ = false;
+  bool isFreewheeling_ = false;
   PidSettings settings_ = kDefaults;
-  std::optional<Joint> joint_;
+  std::vector<Joint> joints_;
   Pid pid_;
   double initialTarget_ = 0;
   Setpoint target_;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/fortress_worlds.hh"
@@ -56,6 +57,37 @@ TEST(JointPositionController, MovesAtALimitedVelocityIfItIsTold) {
   EXPECT_NEAR(angle(world), 0.5, 1e-3);
   world.step(2000);
   EXPECT_NEAR(angle(world), 1, 1e-6);
+}
+
+TEST(JointPositionController, ListensToTheTopicOrTheActuatorThatItIsTold) {
+  for (const auto& [parameters, topic] : std::vector<std::pair<std::string, std::string>>{
+           {"<sub_topic>servo_0</sub_topic>", "/model/m/servo_0"},
+           {"<sub_topic>servo_0</sub_topic><topic>servo</topic>", "/servo"},
+           {"<use_actuator_msg>1</use_actuator_msg><actuator_number>1</actuator_number>", "/actuators"}}) {
+    RunningWorld world(worldWith(kGains + parameters));
+    if (topic == "/actuators") {
+      world.tellText(topic, "ignition.msgs.Actuators", "position: [7, 0.5] velocity: [1, 2]");
+    } else {
+      world.tellNumber(topic, 0.5);
+    }
+    world.step(4000);
+    EXPECT_NEAR(angle(world), 0.5, 1e-3) << topic;
+  }
+}
+
+TEST(JointPositionController, MovesFurtherJointsLikeTheFirst) {
+  for (const char* way : {kGains, "<use_velocity_commands>1</use_velocity_commands>"}) {
+    std::string text =
+        worldWith("<joint_name>hinge2</joint_name><initial_position>0.5</initial_position>" + std::string(way));
+    text.insert(text.find("<plugin"),
+                "<link name='arm2'><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz>"
+                "</inertia></inertial></link><joint name='hinge2' type='revolute'><parent>base</parent>"
+                "<child>arm2</child><axis><xyz>0 0 1</xyz></axis></joint>");
+    RunningWorld world(text);
+    world.step(4000);
+    EXPECT_NEAR(angle(world), 0.5, 1e-3);
+    EXPECT_NEAR(world.model("m").joint("hinge2")->position(), 0.5, 1e-3);
+  }
 }
 
 TEST(JointPositionController, RefusesAbsurdPositionsAndGoesOn) {
