@@ -19,10 +19,16 @@ double Propeller::turnFor(double thrust) {
   return speed_;
 }
 
-double Propeller::speedFor(double thrust) const {
+double Propeller::thrustPerSquare() const {
   const double square = settings_.diameter * settings_.diameter;
-  const double force = settings_.density * coefficient_ * square * square;
-  return std::copysign(std::sqrt(std::abs(thrust / force)), thrust);
+  return settings_.density * coefficient_ * square * square;
 }
+
+double Propeller::speedFor(double thrust) const {
+  const double square = thrust / thrustPerSquare();
+  return std::copysign(std::sqrt(std::abs(square)), square);
+}
+
+double Propeller::thrustAt(double speed) const { return thrustPerSquare() * std::abs(speed) * speed; }
 
 }  // namespace pongsim

@@ -30,10 +30,12 @@ class Propeller {
   /// Sets the craft's speed [m/s]; needed if the coefficient depends on it.
   void setCraftSpeed(double speed) { craftSpeed_ = speed; }
   /// Sets the thrust [N], using the coefficient at the current speed.
-  /// @return The speed [rad/s], with the sign of the thrust.
+  /// @return The speed [rad/s], with the sign of the thrust; the opposite one with a negative coefficient.
   double turnFor(double thrust);
   /// @return The speed for a thrust with the current coefficient.
   double speedFor(double thrust) const;
+  /// @return The thrust at a speed [rad/s] with the current coefficient.
+  double thrustAt(double speed) const;
   double speed() const { return speed_; }
 
   void reset() {
@@ -47,6 +49,9 @@ class Propeller {
   }
 
  private:
+  /// @return Thrust divided by the square of the speed.
+  double thrustPerSquare() const;
+
   PropellerSettings settings_;
   double coefficient_ = 1;
   double speed_ = 0;

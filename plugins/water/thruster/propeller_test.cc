@@ -17,6 +17,13 @@ TEST(Propeller, TurnsAsFastAsItsThrustTakes) {
   EXPECT_DOUBLE_EQ(950 * 0.005 * std::pow(0.25, 4) * speed * speed, 100);
 }
 
+TEST(Propeller, TurnsTheOtherWayWithANegativeCoefficient) {
+  const Propeller propeller({.diameter = 0.5, .density = 1000, .coefficient = -0.004});
+  EXPECT_DOUBLE_EQ(propeller.speedFor(100), -std::sqrt(100 / (1000 * 0.004 * std::pow(0.5, 4))));
+  EXPECT_DOUBLE_EQ(propeller.thrustAt(-20), 1000 * 0.004 * std::pow(0.5, 4) * 400);
+  EXPECT_DOUBLE_EQ(propeller.thrustAt(propeller.speedFor(-7)), -7);
+}
+
 // Kt = alpha_1 + alpha_2 (1 - w) V / (n D), from the speed of the step before
 TEST(Propeller, HasACoefficientThatFollowsFromItsAdvance) {
   Propeller propeller({.diameter = 0.2, .density = 1000, .wakeFraction = 0.25, .alpha1 = 0.9, .alpha2 = -0.3});

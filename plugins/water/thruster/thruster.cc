@@ -1,3 +1,4 @@
+#include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/double.pb.h>
 
 #include <algorithm>
@@ -30,12 +31,14 @@ class Thruster : public System {
 
   void reset() override {
     thrust_ = 0;
+    hasDeadband_ = deadband_.has_value();
     propeller_.reset();
     pid_.reset();
   }
 
   void transfer(StateArchive& archive) override {
     archive(thrust_);
+    archive(hasDeadband_);
     archive(propeller_);
     archive(pid_);
   }
@@ -44,7 +47,8 @@ class Thruster : public System {
   void checkSettings(const SystemContext& context);
   void connectBattery();
   void listen(Node& node, const std::string& modelName);
-  void receive(double thrust);
+  void receive(double command);
+  void tell(double speed, double thrust);
 
   std::string jointName_;
   std::string namespace_;
@@ -52,8 +56,12 @@ class Thruster : public System {
   PropellerSettings settings_;
   PidSettings gains_{.p = 0.1, .iMin = -1, .iMax = 1};
   bool isDrivenDirectly_ = false;
-  double leastThrust_ = -kMostThrust;
-  double mostThrust_ = kMostThrust;
+  /// Commands are speeds [rad/s] instead of thrusts [N].
+  bool isToldSpeeds_ = false;
+  /// Of the command.
+  double least_ = -kMostThrust;
+  double most_ = kMostThrust;
+  std::optional<double> deadband_;
   std::optional<double> powerLoad_;
   std::string batteryName_;
 
@@ -70,16 +78,21 @@ class Thruster : public System {
   Pid pid_;
 
   const Logger* log_ = nullptr;
-  Subscription thrusts_;
+  bool hasDeadband_ = false;
+  Subscription commands_;
   Subscription positions_;
+  Subscription deadbands_;
+  /// Of the speed, or of the thrust if commands are speeds.
+  Publisher feedback_;
 };
 
 void Thruster::declare(Declaration& declaration) {
   declaration.is("Applies a commanded thrust at a propeller, and spins it accordingly.", Declaration::Place::kModel);
   declaration.parameter("joint_name", &jointName_, "", "joint of the propeller").required();
   declaration.parameter("namespace", &namespace_, "", "replaces the model's name in the topics").otherwise("M");
-  declaration.parameter("topic", &topic_, "", "the topic of thrusts is `NAMESPACE/TOPIC`")
-      .otherwise("/model/NAMESPACE/joint/J/cmd_thrust");
+  declaration.parameter("topic", &topic_, "", "the command topic is `NAMESPACE/TOPIC`, and the others follow from it")
+      .otherwise("/model/NAMESPACE/joint/J/cmd_thrust, with use_angvel_cmd .../cmd_vel");
+  declaration.parameter("use_angvel_cmd", &isToldSpeeds_, "", "the command is the propeller's speed [rad/s]");
   declaration.parameter("fluid_density", &settings_.density, "kg/m^3", "density of the fluid").above(0);
   declaration.parameter("propeller_diameter", &settings_.diameter, "m", "diameter of the propeller").above(0);
   declaration
@@ -91,8 +104,9 @@ void Thruster::declare(Declaration& declaration) {
                         "change with (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
   declaration.parameter("wake_fraction", &settings_.wakeFraction, "",
                         "relative reduction of the water speed at the propeller");
-  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "maximum thrust; limit of the command");
-  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "minimum thrust");
+  declaration.parameter("max_thrust_cmd", &most_, "N or rad/s", "maximum thrust, or speed; limit of the command");
+  declaration.parameter("min_thrust_cmd", &least_, "N or rad/s", "minimum thrust, or speed");
+  declaration.parameter("deadband", &deadband_, "N", "a thrust below it is none").atLeast(0).otherwise("none");
   declaration.parameter("velocity_control", &isDrivenDirectly_, "",
                         "drives the joint at the speed; otherwise a PID controller applies torques");
   declaration.parameter("p_gain", &gains_.p, "N m s/rad", "proportional gain of that controller");
@@ -101,7 +115,15 @@ void Thruster::declare(Declaration& declaration) {
   declaration.parameter("power_load", &powerLoad_, "W", "power drawn from a battery, independent of thrust");
   declaration.parameter("battery_name", &batteryName_, "", "name of the battery, in any model").otherwise("none");
   declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next command");
-  declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double", "the same, in older worlds");
+  declaration.subscribes("<topic>", "ignition.msgs.Double", "with `<use_angvel_cmd>`: speed of the propeller [rad/s]");
+  declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double",
+                         "the same as `cmd_thrust`, in older worlds");
+  declaration.subscribes("/model/NAMESPACE/joint/J/enable_deadband", "ignition.msgs.Boolean",
+                         "whether there is the deadband; `<topic>/enable_deadband` with that parameter");
+  declaration.publishes("/model/NAMESPACE/joint/J/ang_vel", "ignition.msgs.Double",
+                        "speed of the propeller [rad/s], in each step; `<topic>/ang_vel` with that parameter");
+  declaration.publishes("/model/NAMESPACE/joint/J/force", "ignition.msgs.Double",
+                        "with `<use_angvel_cmd>`, thrust [N], in place of `ang_vel`; `<topic>/force` likewise");
 }
 
 void Thruster::configure(const SystemContext& context) {
@@ -113,8 +135,8 @@ void Thruster::configure(const SystemContext& context) {
   axis_ = joint_->poseInChild().rotation * joint_->axisInfo().xyz;
   checkSettings(context);
   propeller_ = Propeller(settings_);
-  gains_.commandMax = propeller_.speedFor(mostThrust_);
-  gains_.commandMin = propeller_.speedFor(leastThrust_);
+  gains_.commandMax = propeller_.speedFor(most_);
+  gains_.commandMin = propeller_.speedFor(least_);
   pid_ = Pid(gains_);
   listen(context.node, std::string(context.model->name()));
 }
@@ -122,13 +144,13 @@ void Thruster::configure(const SystemContext& context) {
 void Thruster::checkSettings(const SystemContext& context) {
   const Element& sdf = context.sdf;
   if (settings_.coefficient == 0) refuse(*sdf.child("thrust_coefficient"), "<thrust_coefficient> must not be zero");
-  if (mostThrust_ < leastThrust_) {
+  if (most_ < least_) {
     const Element* element = sdf.child("max_thrust_cmd");
     if (element == nullptr) element = sdf.child("min_thrust_cmd");
     context.diagnostics.warning(element->position,
                                 "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are used");
-    mostThrust_ = kMostThrust;
-    leastThrust_ = -kMostThrust;
+    most_ = kMostThrust;
+    least_ = -kMostThrust;
   }
   if (powerLoad_ && batteryName_.empty()) {
     context.diagnostics.warning(sdf.child("power_load")->position,
@@ -144,18 +166,33 @@ void Thruster::checkSettings(const SystemContext& context) {
 
 void Thruster::listen(Node& node, const std::string& modelName) {
   const std::string robot = namespace_.empty() ? modelName : namespace_;
-  const std::string prefix = "/model/" + robot + "/joint/" + std::string(joint_->name());
+  const std::string joint = "/model/" + robot + "/joint/" + std::string(joint_->name());
+  const std::string prefix = topic_.empty() ? joint : robot + "/" + topic_;
   const auto subscribe = [&](const std::string& topic) {
     return node.subscribe<ignition::msgs::Double>(
         cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); }, kForces);
   };
-  thrusts_ = subscribe(topic_.empty() ? prefix + "/cmd_thrust" : robot + "/" + topic_);
-  positions_ = subscribe(prefix + "/cmd_pos");
+  const std::string command = joint + (isToldSpeeds_ ? "/cmd_vel" : "/cmd_thrust");
+  commands_ = subscribe(topic_.empty() ? command : prefix);
+  if (!isToldSpeeds_) positions_ = subscribe(joint + "/cmd_pos");
+  deadbands_ = node.subscribe<ignition::msgs::Boolean>(
+      cleanTopic(prefix + "/enable_deadband"),
+      [this](const ignition::msgs::Boolean& message) { hasDeadband_ = message.data(); });
+  hasDeadband_ = deadband_.has_value();
+  feedback_ = node.advertise<ignition::msgs::Double>(cleanTopic(prefix + (isToldSpeeds_ ? "/force" : "/ang_vel")));
 }
 
-void Thruster::receive(double thrust) {
-  thrust_ = std::clamp(thrust, leastThrust_, mostThrust_);
+void Thruster::receive(double command) {
+  command = std::clamp(command, least_, most_);
+  thrust_ = isToldSpeeds_ ? propeller_.thrustAt(command) : command;
   propeller_.turnFor(thrust_);
+}
+
+void Thruster::tell(double speed, double thrust) {
+  if (!feedback_.hasSubscribers()) return;
+  ignition::msgs::Double message;
+  message.set_data(isToldSpeeds_ ? thrust : speed);
+  feedback_.publish(message);
 }
 
 /// Reports once the power drawn from its battery.
@@ -176,15 +213,19 @@ void Thruster::preUpdate(const StepInfo& info) {
   if (!isConnected_) connectBattery();
   if (batteries_->areEmpty(*model_)) return;
   const Vector3 axis = link_->pose().rotation * axis_;
-  const double target = propeller_.turnFor(thrust_);
+  double target = propeller_.turnFor(thrust_);
+  double thrust = thrust_;
+  if (hasDeadband_ && std::abs(thrust) < deadband_.value_or(0)) thrust = target = 0;
+  double speed = target;
   double torque = 0;
   if (isDrivenDirectly_) {
     joint_->setVelocityTarget(target);
   } else {
-    const double error = link_->angularVelocity().dot(axis) - target;
-    if (std::abs(error) > kNearEnough) torque = pid_.update(error, toSeconds(info.dt));
+    speed = link_->angularVelocity().dot(axis);
+    if (std::abs(speed - target) > kNearEnough) torque = pid_.update(speed - target, toSeconds(info.dt));
   }
-  link_->addWrench(thrust_ * axis, torque * axis);
+  link_->addWrench(thrust * axis, torque * axis);
+  tell(speed, thrust);
   propeller_.setCraftSpeed(link_->linearVelocity().norm());
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <ignition/msgs/double.pb.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -61,6 +63,53 @@ TEST(Thruster, ListensToTheTopicsOfItsNamespace) {
     world.step(10);
     EXPECT_GT(speedOf(world), 0) << topic;
   }
+}
+
+// T = rho Kt D^4 n |n|
+TEST(Thruster, PushesAsMuchAsTheSpeedThatItIsToldGives) {
+  for (const auto& [parameters, topic, feedback] :
+       std::vector<std::array<std::string, 3>>{{"", "/model/sub/joint/shaft/cmd_vel", "/model/sub/joint/shaft/force"},
+                                               {"<topic>turn</topic>", "/sub/turn", "/sub/turn/force"}}) {
+    RunningWorld world(worldWith(kDirect + parameters + "<use_angvel_cmd>true</use_angvel_cmd>"));
+    std::vector<ignition::msgs::Double> forces;
+    world.listen(feedback, forces);
+    world.tellNumber(topic, -kSpeedOf100);
+    world.step(1000);
+    EXPECT_NEAR(speedOf(world), -100 / 100.1, 1e-3);
+    EXPECT_NEAR(turningOf(world), -kSpeedOf100, 1e-3 * kSpeedOf100);
+    ASSERT_EQ(forces.size(), 1000U);
+    EXPECT_NEAR(forces.back().data(), -100, 1e-3);
+  }
+}
+
+TEST(Thruster, TellsTheSpeedOfItsPropeller) {
+  for (const auto& [parameters, topic] : std::vector<std::pair<std::string, std::string>>{
+           {"", "/model/sub/joint/shaft/ang_vel"}, {"<topic>push</topic>", "/sub/push/ang_vel"}}) {
+    RunningWorld world(worldWith(kDirect + parameters));
+    std::vector<ignition::msgs::Double> speeds;
+    world.listen(topic, speeds);
+    world.tellNumber(parameters.empty() ? kTopic : "/sub/push", 100);
+    world.step(10);
+    ASSERT_EQ(speeds.size(), 10U);
+    EXPECT_NEAR(speeds.back().data(), kSpeedOf100, 1e-6);
+  }
+}
+
+TEST(Thruster, LeavesOutThrustsWithinTheDeadband) {
+  RunningWorld world(worldWith(std::string(kDirect) + "<deadband>50</deadband>"));
+  world.tellNumber(kTopic, 49);
+  world.step(100);
+  EXPECT_EQ(speedOf(world), 0);
+  EXPECT_NEAR(turningOf(world), 0, 1e-9);
+  world.tellText("/model/sub/joint/shaft/enable_deadband", "ignition.msgs.Boolean", "data: false");
+  world.step(100);
+  EXPECT_NEAR(speedOf(world), 49 / 100.1 * 0.1, 1e-4);
+  world.tellText("/model/sub/joint/shaft/enable_deadband", "ignition.msgs.Boolean", "data: true");
+  world.step(100);
+  EXPECT_NEAR(speedOf(world), 49 / 100.1 * 0.1, 1e-4);
+  world.tellNumber(kTopic, 50);
+  world.step(100);
+  EXPECT_NEAR(speedOf(world), 99 / 100.1 * 0.1, 1e-4);
 }
 
 TEST(Thruster, KeepsWithinItsLimits) {
