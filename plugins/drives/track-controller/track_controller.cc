@@ -1,4 +1,5 @@
 #include <ignition/msgs/double.pb.h>
+#include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/vector3d.pb.h>
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include "pongsim/commands.hh"
 #include "pongsim/control/speed_limiter.hh"
 #include "pongsim/geometry/surface_motion.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -38,10 +40,16 @@ class TrackController : public System {
         .mayBeInfinite()
         .otherwise("none");
     declareTrackLimits(declaration);
+    declaration.parameter("odometry_topic", &odometryTopic_, "", "topic of the track's own motion")
+        .otherwise("/model/M/link/L/odometry");
+    declaration.parameter("odometry_publish_frequency", &odometryRate_, "Hz",
+                          "messages per simulated second; 0: one per step");
     declaration.parameter("debug", &debug_, "", "logs commands and motion (`-v 4`)");
     declaration.subscribes("<velocity_topic>", "ignition.msgs.Double", "speed [m/s], which holds until the next one");
     declaration.subscribes("<center_of_rotation_topic>", "ignition.msgs.Vector3d",
                            "centre of rotation in the world [m]; not finite: straight motion");
+    declaration.publishes("<odometry_topic>", "ignition.msgs.Odometry",
+                          "distance that the track has run, `pose.position.x` [m], and speed, `twist.linear.x` [m/s]");
   }
 
   void configure(const SystemContext& context) override {
@@ -64,6 +72,7 @@ class TrackController : public System {
         [this](const ignition::msgs::Vector3d& message) {
           receiveCenter({message.x(), message.y(), message.z()});
         });
+    odometry_ = context.node.advertise<ignition::msgs::Odometry>(topicOr(odometryTopic_, prefix + "/odometry"));
   }
 
   void preUpdate(const StepInfo& info) override {
@@ -72,6 +81,8 @@ class TrackController : public System {
     isNew_ = false;
     const bool isOld = maxAge_ && toSeconds(info.time - lastCommand_) > *maxAge_;
     const double speed = limiter_.limit(isOld ? 0 : wanted_, toSeconds(info.dt));
+    speed_ = speed;
+    position_ += speed * toSeconds(info.dt);
     const SurfaceMotion motion{.speed = speed, .axis = axis_, .center = center_};
     if (motion_ == motion) return;
     motion_ = motion;
@@ -79,8 +90,21 @@ class TrackController : public System {
     if (debug_) tell();
   }
 
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused || info.time - lastOdometry_ < periodOf(odometryRate_)) return;
+    lastOdometry_ = info.time;
+    if (!odometry_.hasSubscribers()) return;
+    ignition::msgs::Odometry message;
+    setStamp(info.time, *message.mutable_header());
+    message.mutable_pose()->mutable_position()->set_x(position_);
+    message.mutable_twist()->mutable_linear()->set_x(speed_);
+    odometry_.publish(message);
+  }
+
   void reset() override {
     limiter_.reset();
+    lastOdometry_ = Time::zero();
+    position_ = speed_ = 0;
     wanted_ = 0;
     center_.reset();
     lastCommand_ = Time::zero();
@@ -90,6 +114,9 @@ class TrackController : public System {
 
   void transfer(StateArchive& archive) override {
     limiter_.transfer(archive);
+    archive(lastOdometry_);
+    archive(position_);
+    archive(speed_);
     archive(wanted_);
     archive(center_);
     archive(lastCommand_);
@@ -141,7 +168,8 @@ class TrackController : public System {
 
   std::string linkName_;
   Vector3 orientation_ = Vector3::Zero();
-  std::string velocityTopic_, centerTopic_;
+  std::string velocityTopic_, centerTopic_, odometryTopic_;
+  double odometryRate_ = 50;
   std::optional<double> maxAge_;
   SpeedLimitParameters limits_;
   bool debug_ = false;
@@ -154,11 +182,16 @@ class TrackController : public System {
   Time lastCommand_{0};
   bool isNew_ = false;
   SpeedLimiter limiter_;
+  /// Distance run [m], and speed [m/s].
+  double position_ = 0;
+  double speed_ = 0;
+  Time lastOdometry_{0};
   /// Last command to the collisions.
   std::optional<SurfaceMotion> motion_;
 
   const Logger* log_ = nullptr;
   Subscription velocity_, centers_;
+  Publisher odometry_;
 };
 
 }  // namespace

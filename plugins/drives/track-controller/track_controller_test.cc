@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/double.pb.h>
+#include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/vector3d.pb.h>
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/example_world.hh"
@@ -75,6 +77,24 @@ TEST(TrackController, KeepsWithinItsLimits) {
   EXPECT_NEAR(beltOf(world).speed, 0.175, 0.002);
   world.step(400);
   EXPECT_EQ(beltOf(world).speed, 0.4);
+}
+
+TEST(TrackController, TellsHowFarTheTrackHasRun) {
+  for (const auto& [parameters, topic, rate] : std::vector<std::tuple<std::string, std::string, double>>{
+           {"", "/model/conveyor/link/belt/odometry", 50},
+           {"<odometry_topic>way</odometry_topic><odometry_publish_frequency>10</odometry_publish_frequency>", "/way",
+            10}}) {
+    RunningWorld world(conveyorWith(parameters));
+    std::vector<ignition::msgs::Odometry> messages;
+    world.listen(topic, messages);
+    tellSpeed(world, 0.5);
+    world.step(1000);
+    ASSERT_EQ(messages.size(), rate);
+    // it speeds up by 1 m/s^2 for half a second
+    EXPECT_NEAR(messages.back().pose().position().x(), 0.125 + 0.25, 1e-3);
+    EXPECT_EQ(messages.back().twist().linear().x(), 0.5);
+    EXPECT_EQ(messages.back().header().stamp().sec(), 1);
+  }
 }
 
 TEST(TrackController, StopsWhereNoCommandHasComeForSoLong) {
