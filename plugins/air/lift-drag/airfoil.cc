@@ -54,6 +54,26 @@ double coefficient(double angle, double stall, double slope, double slopeStalled
   return slope * angle;
 }
 
+/// @return Whether the flow is too slow, or from behind, for any force.
+bool isWithoutForce(const AirfoilSettings& airfoil, const Vector3& velocity) {
+  if (!(velocity.norm() > kSlowest)) return true;
+  return !airfoil.isReversible && airfoil.forward.dot(velocity) <= 0;
+}
+
+/// @return The square of the sweep angle's cosine, by which Fortress multiplies coefficients.
+double sweepFactor(const Flow& flow, const Vector3& velocity) {
+  const double sine = std::clamp(flow.span.dot(velocity) / velocity.norm(), -1.0, 1.0);
+  return 1 - sine * sine;
+}
+
+/// @return A coefficient of lift or moment: a stall takes it away, but does not reverse it.
+double stalling(const AirfoilSettings& airfoil, double angle, double slope, double slopeStalled) {
+  const double value = coefficient(angle, airfoil.stallAngle, slope, slopeStalled);
+  if (angle > airfoil.stallAngle) return std::max(0.0, value);
+  if (angle < -airfoil.stallAngle) return std::min(0.0, value);
+  return value;
+}
+
 }  // namespace
 
 double angleOfAttack(const AirfoilSettings& airfoil, const Vector3& velocity) {
@@ -61,22 +81,24 @@ double angleOfAttack(const AirfoilSettings& airfoil, const Vector3& velocity) {
 }
 
 Vector3 airfoilForce(const AirfoilSettings& airfoil, const Vector3& velocity, double liftOffset) {
-  const double speed = velocity.norm();
-  if (!(speed > kSlowest)) return Vector3::Zero();
+  if (isWithoutForce(airfoil, velocity)) return Vector3::Zero();
   const Flow flow = flowAround(airfoil, velocity);
-  // Fortress uses the square of the sweep angle's cosine
-  const double sine = std::clamp(flow.span.dot(velocity) / speed, -1.0, 1.0);
-  const double sweep = 1 - sine * sine;
+  const double sweep = sweepFactor(flow, velocity);
   const double pressure = airfoil.density / 2 * flow.velocity.squaredNorm();
-
-  double lift = coefficient(flow.angle, airfoil.stallAngle, airfoil.liftSlope, airfoil.liftSlopeStalled) * sweep;
-  // a stall removes the lift, but does not reverse it
-  if (flow.angle > airfoil.stallAngle) lift = std::max(0.0, lift);
-  if (flow.angle < -airfoil.stallAngle) lift = std::min(0.0, lift);
-  lift += liftOffset;
+  const double lift = stalling(airfoil, flow.angle, airfoil.liftSlope, airfoil.liftSlopeStalled) * sweep + liftOffset;
   const double drag =
       std::abs(coefficient(flow.angle, airfoil.stallAngle, airfoil.dragSlope, airfoil.dragSlopeStalled) * sweep);
   return pressure * airfoil.area * (lift * flow.lift - drag * flow.velocity.normalized());
+}
+
+Vector3 airfoilMoment(const AirfoilSettings& airfoil, const Vector3& velocity, double momentOffset) {
+  if (isWithoutForce(airfoil, velocity)) return Vector3::Zero();
+  const Flow flow = flowAround(airfoil, velocity);
+  const double pressure = airfoil.density / 2 * flow.velocity.squaredNorm();
+  const double moment =
+      stalling(airfoil, flow.angle, airfoil.momentSlope, airfoil.momentSlopeStalled) * sweepFactor(flow, velocity) +
+      momentOffset;
+  return pressure * airfoil.area * moment * flow.span;
 }
 
 }  // namespace pongsim

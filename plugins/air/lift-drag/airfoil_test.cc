@@ -72,6 +72,27 @@ TEST(Airfoil, IsLiftedByAFlap) {
   EXPECT_NEAR((more - Vector3(0, 0, 0.5 * 60 * 2)).norm(), 0, 1e-9);
 }
 
+TEST(Airfoil, HasAMomentAboutItsSpanThatAStallTakesAway) {
+  AirfoilSettings turning = wing();
+  turning.momentSlope = 0.5;
+  turning.momentSlopeStalled = -1;
+  const auto moment = [&](double angle) { return airfoilMoment(turning, at(angle), 0.01).y() / -(60 * 2) - 0.01; };
+  EXPECT_NEAR(moment(0.2), 0.1, 1e-9);
+  EXPECT_NEAR(moment(-0.2), -0.1, 1e-9);
+  EXPECT_NEAR(moment(0.4), 0.15 - 0.1, 1e-9);
+  EXPECT_NEAR(moment(1.4), 0, 1e-9);
+}
+
+TEST(Airfoil, ThatIsNotReversibleNeedsAFlowFromAhead) {
+  AirfoilSettings wing1 = wing();
+  const Vector3 backward(-10, 0, 1);
+  EXPECT_GT(airfoilForce(wing1, backward, 0).norm(), 1);
+  wing1.isReversible = false;
+  EXPECT_TRUE(airfoilForce(wing1, backward, 0.5).isZero(0));
+  EXPECT_TRUE(airfoilMoment(wing1, backward, 0.5).isZero(0));
+  EXPECT_GT(airfoilForce(wing1, at(0.1), 0).norm(), 1);
+}
+
 TEST(Airfoil, ThatIsRoundLiftsWhereTheFlowTurnsIt) {
   AirfoilSettings body = wing();
   body.isRound = true;

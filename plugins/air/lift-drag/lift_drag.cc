@@ -31,8 +31,10 @@ class LiftDrag : public System {
                           "slope of the lift coefficient after the stall");
     declaration.parameter("cda_stall", &airfoil_.dragSlopeStalled, "1/rad",
                           "slope of the drag coefficient after the stall");
-    declaration.element("cma", "slope of the moment coefficient; no effect, as in Fortress");
-    declaration.element("cma_stall", "likewise after the stall");
+    declaration.parameter("cma", &airfoil_.momentSlope, "1/rad",
+                          "slope of the moment coefficient; here and below: no effect in a plugin for Fortress");
+    declaration.parameter("cma_stall", &airfoil_.momentSlopeStalled, "1/rad",
+                          "slope of the moment coefficient after the stall");
     declaration.parameter("cp", &center_, "m", "point of application, in the link frame");
     declaration.parameter("forward", &airfoil_.forward, "", "forward direction, in the link frame");
     declaration.parameter("upward", &airfoil_.upward, "", "upward direction, in the link frame");
@@ -43,6 +45,9 @@ class LiftDrag : public System {
                           "joint of a control surface; in a nested model `inner::joint`");
     declaration.parameter("control_joint_rad_to_cl", &liftOfJoint_, "1/rad or 1/m",
                           "change of the lift coefficient with the joint's angle");
+    declaration.parameter("cm_delta", &momentOfJoint_, "1/rad or 1/m",
+                          "change of the moment coefficient with the joint's angle");
+    declaration.parameter("reversible", &isReversible_, "", "there is a force in a flow from behind, too");
   }
 
   void configure(const SystemContext& context) override;
@@ -51,11 +56,15 @@ class LiftDrag : public System {
     if (info.paused) return;
     const Quaternion R_WorldLink = link_->pose().rotation;
     const Vector3 arm = R_WorldLink * center_;
-    const Vector3 velocity = carried_->linearVelocity() + link_->angularVelocity().cross(arm);
-    const double offset = joint_ ? liftOfJoint_ * joint_->position() : 0;
-    const Vector3 force = R_WorldLink * airfoilForce(airfoil_, R_WorldLink.conjugate() * velocity, offset);
+    Vector3 velocity = carried_->linearVelocity() + link_->angularVelocity().cross(arm);
+    if (isLater_) velocity -= world_->wind();
+    const Vector3 v_Link = R_WorldLink.conjugate() * velocity;
+    const double angle = joint_ ? joint_->position() : 0;
+    const Vector3 force = R_WorldLink * airfoilForce(airfoil_, v_Link, liftOfJoint_ * angle);
+    Vector3 torque = arm.cross(force);
+    if (isLater_) torque += R_WorldLink * airfoilMoment(airfoil_, v_Link, momentOfJoint_ * angle);
     // at speeds whose square overflows
-    if (force.allFinite()) link_->addWrench(force, arm.cross(force));
+    if (force.allFinite() && torque.allFinite()) link_->addWrench(force, torque);
   }
 
   // joints may have been added or removed
@@ -68,6 +77,11 @@ class LiftDrag : public System {
   AirfoilSettings airfoil_;
   Vector3 center_ = Vector3::Zero();
   double liftOfJoint_ = 4;
+  double momentOfJoint_ = 0;
+  bool isReversible_ = false;
+  /// The plugin is one of Gazebo's releases after Fortress, in which wind, moments and the flow's direction count.
+  bool isLater_ = false;
+  const World* world_ = nullptr;
 
   std::optional<Link> link_;
   std::optional<CarriedLink> carried_;
@@ -109,6 +123,9 @@ T partOf(const SystemContext& context, std::string_view parameter, const char* k
 
 void LiftDrag::configure(const SystemContext& context) {
   const Element& sdf = context.sdf;
+  world_ = &context.world;
+  isLater_ = sdf.attributeOr("filename", "").find("gz-sim") != std::string::npos;
+  airfoil_.isReversible = isReversible_ || !isLater_;
   link_ = partOf<Link>(context, "link_name", "link");
   carried_.emplace(*link_);
   if (!jointName_.empty()) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/example_world.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::lift_drag_test {
@@ -70,6 +71,46 @@ TEST(LiftDrag, ReadsTheJointOfAFlap) {
   ASSERT_TRUE(world.model("m").joint("hinge")->resetPosition(0.25));
   const auto [linear, angular] = accelerations(world, world.model("m").link("wing").value(), {10, 0, 0});
   EXPECT_NEAR(linear.z(), 0.5 * 1.2 * 100 * 3 * -0.5 / 2, 1e-6);
+}
+
+/// The same plugin by the name that it has in later releases.
+std::string later(const std::string& parameters) {
+  return test::replaced(test::replaced(worldWith(parameters), "ignition-gazebo-lift", "gz-sim-lift"),
+                        "ignition::gazebo::", "gz::sim::");
+}
+
+TEST(LiftDrag, NeedsAFlowFromAheadInLaterReleases) {
+  const auto lift = [](const std::string& text) {
+    RunningWorld world(text);
+    return accelerations(world, world.model("m").link("wing").value(), {-10, 0, 0}).first.norm();
+  };
+  const std::string parameters = std::string(kWing) + "<a0>0.1</a0>";
+  EXPECT_GT(lift(worldWith(parameters)), 1);
+  EXPECT_EQ(lift(later(parameters)), 0);
+  EXPECT_GT(lift(later(parameters + "<reversible>true</reversible>")), 1);
+}
+
+TEST(LiftDrag, FeelsTheWindInLaterReleases) {
+  const std::string parameters = std::string(kWing) + "<a0>0.1</a0>";
+  RunningWorld world("<wind><linear_velocity>-10 0 0</linear_velocity></wind>" + later(parameters));
+  const auto [linear, angular] = accelerations(world, world.model("m").link("wing").value(), {0, 0, 0});
+  EXPECT_NEAR(linear.z(), 0.5 * 1.2 * 100 * 3 * 4 * 0.1 / 2, 1e-6);
+  RunningWorld fortress("<wind><linear_velocity>-10 0 0</linear_velocity></wind>" + worldWith(parameters));
+  EXPECT_EQ(accelerations(fortress, fortress.model("m").link("wing").value(), {0, 0, 0}).first.norm(), 0);
+}
+
+// the moment acts about the span, forward x upward, which is -y here
+TEST(LiftDrag, TurnsALinkByItsMomentInLaterReleases) {
+  const std::string parameters = std::string(kWing) +
+                                 "<a0>0.1</a0><cma>0.3</cma><cm_delta>-2</cm_delta>"
+                                 "<control_joint_name>hinge</control_joint_name>";
+  RunningWorld world(later(parameters));
+  ASSERT_TRUE(world.model("m").joint("hinge")->resetPosition(0.25));
+  const auto [linear, angular] = accelerations(world, world.model("m").link("wing").value(), {10, 0, 0});
+  const double expected = 0.5 * 1.2 * 100 * 3 * (0.3 * 0.1 - 2 * 0.25);
+  EXPECT_NEAR((angular - Vector3(0, -expected, 0)).norm(), 0, 1e-6 * std::abs(expected));
+  RunningWorld fortress(worldWith(parameters));
+  EXPECT_EQ(accelerations(fortress, fortress.model("m").link("wing").value(), {10, 0, 0}).second.norm(), 0);
 }
 
 TEST(LiftDrag, FindsALinkOfANestedModel) {
