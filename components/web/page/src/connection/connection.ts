@@ -73,6 +73,8 @@ export class Connection {
   private readonly latest: Latest;
   private readonly requests = new Requests();
   private readonly outgoing: Outgoing;
+  /// The message that was decoded last.
+  private decoded: { payload: Uint8Array; message: Message } | null = null;
 
   constructor(readonly types: MessageTypes, private readonly options: ConnectionOptions) {
     this.latest = new Latest(options.nextAnimationFrame);
@@ -86,12 +88,12 @@ export class Connection {
   }
 
   /// Subscribes to a topic, now or when it is advertised, and again after a reconnection. Only the latest message
-  /// before each animation frame is decoded, unless `isEvery`.
+  /// before each animation frame is decoded, unless `isEvery`. Listeners share the message, and must not change it.
   /// @return A function that ends the subscription.
   subscribe(topic: string, receive: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
     return this.subscribeBytes(
       topic,
-      (payload, timeNs, channel) => receive(this.types.decode(channel.schemaName, payload), timeNs, channel.schemaName),
+      (payload, timeNs, channel) => receive(this.decode(payload, channel), timeNs, channel.schemaName),
       isEvery,
     );
   }
@@ -238,6 +240,12 @@ export class Connection {
       if (listener.isEvery) listener.receive(payload, timeNs, channel);
       else this.latest.put(listener, () => listener.receive(payload, timeNs, channel));
     }
+  }
+
+  /// Decodes a message once for all its listeners.
+  private decode(payload: Uint8Array, { schemaName }: Channel): Message {
+    if (this.decoded?.payload !== payload) this.decoded = { payload, message: this.types.decode(schemaName, payload) };
+    return this.decoded.message;
   }
 
   private addChannel(channel: Channel): void {

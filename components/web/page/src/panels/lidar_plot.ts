@@ -64,7 +64,7 @@ export function openLidarPlot(context: Context, settings: Settings): Panel {
       const reach = Number.isFinite(scan.rangeMax) && scan.rangeMax > 0 ? (scan.rangeMax as number) : 10;
       draw(canvas, scan, reach);
       const hits = (scan.ranges as number[]).filter(Number.isFinite);
-      const nearest = hits.length > 0 ? `${shortNumber(Math.min(...hits))} m` : 'no hits';
+      const nearest = hits.length > 0 ? `${shortNumber(hits.reduce((least, range) => Math.min(least, range)))} m` : 'no hits';
       note.textContent = `${scan.ranges.length} rays, to ${shortNumber(reach)} m, nearest ${nearest}`;
       if (inView.checked) view?.setLidar(topic, scan);
     });

@@ -1,10 +1,11 @@
 /// Plots numbers of any topics over simulated time. Drag to zoom, double click to show all; with pause and CSV export.
 import uPlot from 'uplot';
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
-import { download, h, labelled, numberField, setChoices } from '../app/dom.ts';
+import { download, h, labelled, numberField, setChoices, shortNumber } from '../app/dom.ts';
 import { numberReader, numbersIn } from '../connection/fields.ts';
 import type { Message } from '../connection/types.ts';
-import { addValue, csvOf, joined, type Curve } from './plot_data.ts';
+import { tickTexts } from './plot_axis.ts';
+import { columnsOf, csvOf, Curve } from './plot_data.ts';
 import { topicChooser } from './topics.ts';
 
 /// Colours that most people can distinguish, with enough contrast on a dark and on a light background.
@@ -17,15 +18,19 @@ export function timeOf(message: Message, sentNs: bigint): number {
   return Number(sentNs) / 1e9;
 }
 
-interface Plotted extends Curve {
-  end(): void;
+/// A curve, and the end of its subscription.
+class Plotted extends Curve {
+  stop = (): void => {};
 }
 
 export function openPlot(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
   const ends = new Ends();
   const curves: Plotted[] = [];
-  const chart = new Chart();
+  const chart = new Chart((values) => legend.querySelectorAll('output').forEach((output, i) => {
+    const value = values[i];
+    output.textContent = value === undefined || value === null ? '' : shortNumber(value);
+  }));
   const span = numberField(30, { min: 1, class: 'short', title: 'Seconds shown' });
   const isPaused = h('input', { type: 'checkbox', id: 'plot-paused' });
   let isScheduled = false;
@@ -35,19 +40,21 @@ export function openPlot(context: Context, settings: Settings): Panel {
     requestAnimationFrame(() => {
       isScheduled = false;
       if (isPaused.checked) return;
-      const last = Math.max(...curves.map(({ times }) => times.at(-1) ?? 0));
-      chart.show(curves, last - (span.valueAsNumber || 30));
+      const last = Math.max(0, ...curves.map((curve) => curve.last ?? 0));
+      chart.show(curves, last - (span.valueAsNumber || 30), last);
+      thinned.hidden = !curves.some(({ isThinned }) => isThinned);
     });
   };
   const legend = h('ul', { class: 'legend' });
+  const thinned = h('p', { class: 'hint', hidden: true }, 'Of older values, those between the smallest and the largest of four are left out');
   const listCurves = (): void => {
     legend.replaceChildren(...curves.map((curve, i) => h('li', {},
-      h('span', { class: 'dot', 'data-color': i % kColors.length }), curve.name, ' ',
+      h('span', { class: 'dot', 'data-color': i % kColors.length }), curve.name, ' ', h('output', { 'aria-live': 'off' }), ' ',
       h('button', { type: 'button', class: 'link', 'aria-label': `Remove ${curve.name}`, onclick: () => remove(curve) }, '×'))));
     legend.querySelectorAll<HTMLElement>('.dot').forEach((dot, i) => (dot.style.background = kColors[i % kColors.length]!));
   };
   const remove = (curve: Plotted): void => {
-    curve.end();
+    curve.stop();
     curves.splice(curves.indexOf(curve), 1);
     listCurves();
     chart.rebuild(curves);
@@ -55,18 +62,18 @@ export function openPlot(context: Context, settings: Settings): Panel {
   };
   const plot = (topic: string, path: string): void => {
     if (!topic || !path || curves.some(({ name }) => name === `${topic} ${path}`)) return;
-    const curve: Plotted = { name: `${topic} ${path}`, times: [], values: [], end: () => {} };
+    const curve = new Plotted(`${topic} ${path}`);
     let read: ((message: Message) => number) | null = null;
-    curve.end = connection.subscribe(topic, (message, sentNs, type) => {
+    curve.stop = connection.subscribe(topic, (message, sentNs, type) => {
       try {
         read ??= numberReader(connection.types.get(type), path);
       } catch (fault) {
         log.add('error', `Plot: ${(fault as Error).message}`);
-        curve.end();
+        curve.stop();
         return;
       }
       if (isPaused.checked) return;
-      addValue(curve, timeOf(message, sentNs), read(message));
+      curve.add(timeOf(message, sentNs), read(message));
       draw();
     }, true);
     curves.push(curve);
@@ -75,9 +82,9 @@ export function openPlot(context: Context, settings: Settings): Panel {
   };
   isPaused.addEventListener('change', draw);
   const save = h('button', { type: 'button', onclick: () => download('plot.csv', new Blob([csvOf(curves)], { type: 'text/csv' })) }, 'CSV');
-  const element = h('div', { class: 'plot' }, fieldChooser(context, settings, ends, plot), chart.element, legend,
+  const element = h('div', { class: 'plot' }, fieldChooser(context, settings, ends, plot), chart.element, legend, thinned,
     h('div', { class: 'row' }, isPaused, h('label', { for: 'plot-paused' }, 'Paused'), labelled('Seconds', span), save));
-  ends.add(() => curves.forEach((curve) => curve.end()), () => chart.end());
+  ends.add(() => curves.forEach((curve) => curve.stop()), () => chart.end());
   return { element, close: ends.end };
 }
 
@@ -101,14 +108,41 @@ function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (t
   return h('div', { class: 'row wrap' }, chooser, path, add);
 }
 
+/// The width that the labels of an axis need.
+function labelWidth(plot: uPlot, texts: readonly string[] | null, index: number, cycle: number): number {
+  const axis = plot.axes[index] as uPlot.Axis & { _size: number; font: [string] };
+  // uPlot asks again after it has set the size
+  if (cycle > 1) return axis._size;
+  plot.ctx.font = axis.font[0];
+  const widths = (texts ?? []).map((text) => plot.ctx.measureText(text).width / devicePixelRatio);
+  return Math.ceil(Math.max(20, ...widths) + (axis.ticks?.size ?? 0) + (axis.gap ?? 0));
+}
+
+/// Makes canvases that are drawn by the processor. Where graphics are emulated in software, long jagged lines take a
+/// tenth of the time that they take there; everywhere else they are fast enough.
+function drawnByProcessor<T>(make: () => T): T {
+  const { prototype } = HTMLCanvasElement;
+  const { getContext } = prototype;
+  prototype.getContext = function (this: HTMLCanvasElement, kind: string) {
+    return getContext.call(this, kind, { willReadFrequently: true });
+  } as typeof getContext;
+  try {
+    return make();
+  } finally {
+    prototype.getContext = getContext;
+  }
+}
+
 /// The chart (uPlot), with all curves.
 class Chart {
   readonly element = h('div', { class: 'chart', role: 'img', 'aria-label': 'Values over time' });
   private plot: uPlot | null = null;
   private isZoomed = false;
+  private curves: readonly Curve[] = [];
   private readonly observer = new ResizeObserver(() => this.plot?.setSize(this.size()));
 
-  constructor() {
+  /// @param pointed Called with the values at the pointer; without it, the last ones.
+  constructor(private readonly pointed: (values: (number | null | undefined)[]) => void) {
     this.observer.observe(this.element);
   }
 
@@ -116,30 +150,61 @@ class Chart {
     this.plot?.destroy();
     this.plot = null;
     this.isZoomed = false;
+    this.curves = curves;
     if (curves.length === 0) return;
     const ink = getComputedStyle(this.element).getPropertyValue('--text');
-    const grid = { stroke: getComputedStyle(this.element).getPropertyValue('--line') };
+    const grid = { stroke: getComputedStyle(this.element).getPropertyValue('--line'), width: 0.5 };
+    const axis: uPlot.Axis = { stroke: ink, grid, ticks: grid, values: (_plot, labels) => tickTexts(labels) };
     const series = curves.map(({ name }, i) => ({ label: name, stroke: kColors[i % kColors.length]!, width: 1.5, spanGaps: true }));
-    this.plot = new uPlot({
+    this.plot = drawnByProcessor(() => new uPlot({
       ...this.size(),
       legend: { show: false },
       scales: { x: { time: false } },
-      axes: [{ stroke: ink, grid, label: 'time [s]' }, { stroke: ink, grid }],
+      axes: [{ ...axis, label: 'time [s]' }, { ...axis, size: labelWidth }],
       series: [{}, ...series],
-      hooks: { setSelect: [({ select }) => { if (select.width > 0) this.isZoomed = true; }] },
-    }, [[], ...curves.map(() => [])] as unknown as uPlot.AlignedData, this.element);
+      hooks: {
+        setSelect: [({ select }) => { if (select.width > 0) this.zoomed(); }],
+        setCursor: [() => this.tellValues()],
+      },
+    }, [[], ...curves.map(() => [])] as unknown as uPlot.AlignedData, this.element));
     this.plot.over.addEventListener('dblclick', () => (this.isZoomed = false));
   }
 
-  /// Shows the curves from time `since` on; the visible range stays while the user has zoomed in.
-  show(curves: readonly Curve[], since: number): void {
-    this.plot?.setData(joined(curves, this.isZoomed ? -Infinity : since) as uPlot.AlignedData, !this.isZoomed);
-    if (this.isZoomed) this.plot?.redraw();
+  /// Shows the curves between two times; the visible range stays while the user has zoomed in.
+  show(curves: readonly Curve[], since: number, until: number): void {
+    const { plot } = this;
+    if (!plot) return;
+    this.curves = curves;
+    const { min, max } = plot.scales.x ?? {};
+    const [from, to] = this.isZoomed ? [min ?? since, max ?? until] : [since, until];
+    plot.batch(() => {
+      plot.setData(columnsOf(curves, from, to, Math.max(100, this.element.clientWidth)) as uPlot.AlignedData, !this.isZoomed);
+      if (to > from) plot.setScale('x', { min: from, max: to });
+    });
+    this.tellValues();
   }
 
   end(): void {
     this.observer.disconnect();
     this.plot?.destroy();
+  }
+
+  /// Shows what is between the times that the user has selected with all its values.
+  private zoomed(): void {
+    this.isZoomed = true;
+    // after uPlot has set the range
+    queueMicrotask(() => this.show(this.curves, 0, 0));
+  }
+
+  private tellValues(): void {
+    const data = this.plot?.data;
+    if (!this.plot || !data) return;
+    const at = this.plot.cursor.idx ?? data[0].length - 1;
+    this.pointed(data.slice(1).map((column) => {
+      let i = at;
+      while (i > 0 && (column[i] === null || column[i] === undefined)) --i;
+      return column[i];
+    }));
   }
 
   private size(): { width: number; height: number } {

@@ -72,6 +72,31 @@ test('a slider moves a joint, and the plot has the numbers that are published', 
   assert.ok(await plot.locator('.uplot canvas').isVisible());
 });
 
+test('the labels of a plot are whole, however large its numbers are', async () => {
+  const { tab } = page;
+  await panel(tab, 'Plot').getByRole('button', { name: /^Remove/ }).click();
+  // records the texts in canvases, and where they begin
+  await tab.evaluate(() => {
+    window.written = [];
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+      const { a, e } = this.getTransform();
+      const width = this.measureText(text).width;
+      window.written.push({ text, left: a * (x - { right: width, center: width / 2 }[this.textAlign] || 0) + e });
+      fillText.call(this, text, x, y);
+    };
+  });
+  const plot = panel(tab, 'Plot');
+  await plot.getByLabel('Topic').selectOption('/clock');
+  // from 0 to a billion in each second
+  await plot.getByLabel('Number').selectOption('sim.nsec');
+  await plot.getByRole('button', { name: 'Plot', exact: true }).click();
+  const labels = await until(() => tab.evaluate(() => window.written.splice(0)), (found) => found.some(({ text }) => text === '1e9'), 'labels');
+  for (const { text, left } of labels) assert.ok(left >= 0, `'${text}' begins at ${left}`);
+  // the legend has the value
+  await until(() => plot.locator('.legend output').textContent(), (text) => Number(text) > 0, 'a value');
+});
+
 test('messages of any topic are echoed', async () => {
   const echo = await openPanel(page.tab, 'Topic echo');
   await echo.getByLabel('Topic', { exact: true }).selectOption('/clock');
