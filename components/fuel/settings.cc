@@ -8,6 +8,7 @@
 
 #include "fuel/failure.hh"
 #include "fuel/http.hh"
+#include "pongsim/program/gazebo_variable.hh"
 
 namespace pongsim::fuel {
 
@@ -67,6 +68,17 @@ void add(const Server& server, std::vector<Server>& servers) {
   }
 }
 
+/// @return The configuration of `ign fuel`, else that of `gz fuel`; empty if there is neither.
+fs::path usualFile() {
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0') return {};
+  for (const char* const name : {".ignition/fuel/config.yaml", ".gz/fuel/config.yaml"}) {
+    std::error_code ignored;
+    if (fs::path file = fs::path(home) / name; fs::exists(file, ignored)) return file;
+  }
+  return {};
+}
+
 void readFile(const fs::path& file, bool isNamed, Settings& settings, std::vector<std::string>& warnings) {
   YAML::Node root;
   try {
@@ -87,9 +99,10 @@ void readFile(const fs::path& file, bool isNamed, Settings& settings, std::vecto
     } else if (key == "cache") {
       if (!entry.second.IsMap() || !entry.second["path"]) fail(file, entry.first.Mark(), "'cache' has no 'path'");
       const fs::path path = textOf(entry.second["path"], "path", file);
-      const char* variable = std::getenv("IGN_FUEL_CACHE_PATH");
-      if (variable != nullptr && *variable != '\0') {
-        warnings.push_back(file.string() + ": the path of the cache is ignored: IGN_FUEL_CACHE_PATH is set");
+      if (!gazebo::kFuelCachePath.value().empty()) {
+        warnings.push_back(file.string() +
+                           ": the path of the cache is ignored: IGN_FUEL_CACHE_PATH or "
+                           "GZ_FUEL_CACHE_PATH is set");
       } else if (!isNamed) {
         warnings.push_back(file.string() + ": the path of the cache is ignored; set IGN_FUEL_CACHE_PATH instead");
       } else {
@@ -108,12 +121,10 @@ Settings readSettings(const std::optional<fs::path>& file, std::vector<std::stri
   Settings settings;
   settings.cache = fuelCacheFolder();
   settings.servers = {{"https://fuel.gazebosim.org"}, {"https://fuel.ignitionrobotics.org"}};
-  std::error_code ignored;
-  const char* home = std::getenv("HOME");
-  const fs::path usual = home != nullptr && *home != '\0' ? fs::path(home) / ".ignition/fuel/config.yaml" : fs::path();
+  const fs::path usual = usualFile();
   if (file) {
     readFile(*file, true, settings, warnings);
-  } else if (!usual.empty() && fs::exists(usual, ignored)) {
+  } else if (!usual.empty()) {
     readFile(usual, false, settings, warnings);
   }
   for (const Server& server : settings.listed) add(server, settings.servers);

@@ -26,9 +26,9 @@ struct Settings {
   std::filesystem::path cache;
 };
 
-/// Reads a configuration; by default HOME/.ignition/fuel/config.yaml, if it exists. In the default file `cache` is
-/// ignored, because Fortress ignores it, too, when it searches models. IGN_FUEL_CACHE_PATH takes precedence in any
-/// case.
+/// Reads a configuration; by default HOME/.ignition/fuel/config.yaml, else HOME/.gz/fuel/config.yaml, if one of them
+/// exists. In the default file `cache` is ignored, because Fortress ignores it, too, when it searches models.
+/// IGN_FUEL_CACHE_PATH and GZ_FUEL_CACHE_PATH take precedence in any case.
 /// @param warnings Gets entries of the file that have no effect.
 /// @throws Failure with file and line if it can't be read or is invalid.
 Settings readSettings(const std::optional<std::filesystem::path>& file, std::vector<std::string>& warnings);

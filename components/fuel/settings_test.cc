@@ -17,6 +17,7 @@ class SettingsTest : public testing::Test {
     home_ = home != nullptr ? home : "";
     setenv("HOME", folder_.path().c_str(), 1);
     unsetenv("IGN_FUEL_CACHE_PATH");
+    unsetenv("GZ_FUEL_CACHE_PATH");
   }
   ~SettingsTest() override { setenv("HOME", home_.c_str(), 1); }
 
@@ -67,6 +68,17 @@ TEST_F(SettingsTest, TakeTheCacheOfAFileThatIsNamed) {
   EXPECT_EQ(readSettings(file, warnings_).cache, "/first");
   EXPECT_EQ(warnings_.size(), 1U);
   unsetenv("IGN_FUEL_CACHE_PATH");
+}
+
+TEST_F(SettingsTest, TakeTheFileAndTheCacheOfLaterReleasesWhereFortressHasNone) {
+  folder_.write(".gz/fuel/config.yaml", "servers: [{url: 'https://models.example.org'}]");
+  const Settings later = readSettings({}, warnings_);
+  EXPECT_EQ(later.cache, folder_.path() / ".gz/fuel");
+  EXPECT_EQ(later.listed.at(0).url, "https://models.example.org");
+  folder_.write(".ignition/fuel/config.yaml", "");
+  const Settings fortress = readSettings({}, warnings_);
+  EXPECT_EQ(fortress.cache, folder_.path() / ".ignition/fuel");
+  EXPECT_EQ(fortress.listed.at(0).url, "https://fuel.gazebosim.org");
 }
 
 TEST_F(SettingsTest, SayWhereTheFileIsWrong) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/parse_number.hh"
+#include "pongsim/program/gazebo_variable.hh"
 
 namespace pongsim {
 
@@ -138,9 +139,12 @@ std::optional<FuelAddress> parseFuelAddress(std::string_view uri) {
 }
 
 fs::path fuelCacheFolder() {
-  if (const std::string cache = variable("IGN_FUEL_CACHE_PATH"); !cache.empty()) return cache;
+  if (const std::string cache = gazebo::kFuelCachePath.value(); !cache.empty()) return cache;
   const std::string home = variable("HOME");
-  return home.empty() ? fs::path() : fs::path(home) / ".ignition" / "fuel";
+  if (home.empty()) return {};
+  const fs::path ofFortress = fs::path(home) / ".ignition" / "fuel", later = fs::path(home) / ".gz" / "fuel";
+  std::error_code ignored;
+  return !fs::exists(ofFortress, ignored) && fs::exists(later, ignored) ? later : ofFortress;
 }
 
 fs::path fuelFolder(const FuelAddress& address, const fs::path& cache) {

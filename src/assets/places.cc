@@ -5,14 +5,16 @@
 #include <string_view>
 
 #include "pongsim/files/fuel_address.hh"
+#include "pongsim/program/gazebo_variable.hh"
 
 namespace pongsim::assets {
 
 namespace {
 
-// Fortress appends its resource paths to SDF_PATH, for includes, and to IGN_FILE_PATH, for meshes and textures.
-constexpr const char* kVariables[] = {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH",
-                                      "GZ_SIM_RESOURCE_PATH", "IGN_FILE_PATH"};
+// Gazebo appends its resource paths to SDF_PATH, for includes, and to IGN_FILE_PATH, for meshes and textures.
+constexpr const char* kVariables[] = {"PONGSIM_RESOURCE_PATH",        "SDF_PATH",
+                                      gazebo::kResourcePath.fortress, gazebo::kResourcePath.later,
+                                      gazebo::kFilePath.fortress,     gazebo::kFilePath.later};
 
 std::string_view variable(const char* name) {
   const char* const value = std::getenv(name);

@@ -14,8 +14,8 @@ struct Places {
   /// Folders with what is installed for ROS. They are not searched, but models from outside may read what is in them.
   std::vector<std::filesystem::path> installed = {};
 
-  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH and IGN_FILE_PATH in this
-  /// order, each a list of folders separated by ":"; then IGN_FUEL_CACHE_PATH, which replaces HOME/.ignition/fuel; and
+  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH, IGN_FILE_PATH and
+  /// GZ_FILE_PATH in this order, each a list of folders separated by ":"; the Fuel cache (`fuelCacheFolder`); and
   /// AMENT_PREFIX_PATH, whose folders have what is installed in `share`.
   static Places fromEnvironment();
 };

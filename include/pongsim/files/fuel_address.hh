@@ -38,7 +38,8 @@ PONGSIM_API bool isFuelAddress(std::string_view uri);
 /// the cache.
 PONGSIM_API std::optional<FuelAddress> parseFuelAddress(std::string_view uri);
 
-/// @return The cache folder shared with Fortress: IGN_FUEL_CACHE_PATH, else HOME/.ignition/fuel, else empty.
+/// @return The cache folder shared with Gazebo: IGN_FUEL_CACHE_PATH, else GZ_FUEL_CACHE_PATH, else HOME/.ignition/fuel,
+/// or HOME/.gz/fuel if only that exists; empty without HOME.
 PONGSIM_API std::filesystem::path fuelCacheFolder();
 
 /// @return The folder with the versions in a cache: HOST/OWNER/models/NAME, in lower case like Fortress's.

@@ -5,7 +5,7 @@
 
 namespace pongsim::cli {
 
-/// @return One sentence for each environment variable that is set and has an effect in Fortress but not here: its name,
+/// @return One sentence for each environment variable that is set and has an effect in Gazebo but not here: its name,
 /// and what to use instead.
 std::vector<std::string> ignoredVariables();
 

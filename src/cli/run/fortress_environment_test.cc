@@ -11,7 +11,7 @@ namespace {
 class FortressEnvironment : public testing::Test {
  protected:
   ~FortressEnvironment() override {
-    for (const char* name : {"IGN_IP", "IGN_TRANSPORT_PASSWORD"}) unsetenv(name);
+    for (const char* name : {"IGN_IP", "GZ_IP", "IGN_TRANSPORT_PASSWORD"}) unsetenv(name);
   }
 };
 
@@ -27,8 +27,15 @@ TEST_F(FortressEnvironment, TellsWhatChangesNothing) {
       << sentences[1];
 }
 
+TEST_F(FortressEnvironment, KnowsTheLaterNames) {
+  setenv("GZ_IP", "192.168.1.20", 1);
+  EXPECT_EQ(ignoredVariables(), std::vector<std::string>{"GZ_IP has no effect on pongsim's own topics: use "
+                                                         "PONGSIM_NETWORK to reach other machines"});
+}
+
 TEST_F(FortressEnvironment, IsQuietWhereItIsSoAnyway) {
   setenv("IGN_IP", "127.0.0.1", 1);
+  setenv("GZ_IP", "127.0.0.2", 1);
   setenv("IGN_TRANSPORT_PASSWORD", "", 1);
   EXPECT_TRUE(ignoredVariables().empty());
 }

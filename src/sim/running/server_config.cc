@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "pongsim/program/gazebo_variable.hh"
 #include "sdf/text/document.hh"
 #include "sdf/text/file_text.hh"
 
@@ -17,7 +18,7 @@ namespace pongsim::sim {
 namespace {
 
 /// The first variable that is set is used, even if it is empty.
-constexpr const char* kVariables[] = {"IGN_GAZEBO_SERVER_CONFIG_PATH", "GZ_SIM_SERVER_CONFIG_PATH"};
+constexpr const char* kVariables[] = {gazebo::kServerConfigPath.fortress, gazebo::kServerConfigPath.later};
 
 /// Attributes of a `<plugin>` in a server config file that one in a world does not have: the entity that gets the
 /// system.

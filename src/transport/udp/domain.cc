@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/parse_number.hh"
+#include "pongsim/program/gazebo_variable.hh"
 #include "transport/udp/udp_sockets.hh"
 
 namespace pongsim::transport {
@@ -34,13 +35,7 @@ int chosenDomain(std::optional<int> wanted) {
   throw std::invalid_argument("PONGSIM_DOMAIN is '" + std::string(text) + "', not an integer between 0 and 232");
 }
 
-std::string chosenPartition() {
-  for (const char* name : {"IGN_PARTITION", "GZ_PARTITION"}) {
-    const char* text = std::getenv(name);
-    if (text != nullptr && *text != '\0') return text;
-  }
-  return {};
-}
+std::string chosenPartition() { return gazebo::kPartition.value(); }
 
 std::uint32_t multicastPort(int domain) { return 7400 + 250 * static_cast<std::uint32_t>(domain); }
 
