@@ -152,6 +152,7 @@ std::vector<std::string> checkedWords(std::vector<std::string> words, const CLI:
     throw UsageError("'" + action + "' is not supported", instead);
   };
   if (action == "upload" || action == "edit") refuse("use https://app.gazebosim.org or 'ign fuel " + action + "'");
+  if (action == "configure") refuse("write ~/.ignition/fuel/config.yaml, as docs/fuel.md describes");
   if (action == "meta") refuse("use 'ign fuel meta'; pongsim reads model.config as it is");
   return words;
 }

@@ -22,12 +22,18 @@ std::optional<UsageError> adviceOn(std::string_view command, std::string_view wo
   return advice ? std::optional<UsageError>(std::in_place, advice->message, advice->hint) : std::nullopt;
 }
 
+/// @return Whether it is `pongsim --versions`, or `pongsim run --versions`: what `ign` and `gz` print with their
+/// numbers.
+bool asksForVersions(const std::vector<std::string>& words) {
+  return !words.empty() && words.size() <= 2 && words.back() == "--versions";
+}
+
 }  // namespace
 
 Program programWith(std::span<const AddCommand> commands) {
   return {
       .name = "pongsim",
-      .about = "pongsim simulates the robots of a Gazebo Fortress world, headless.",
+      .about = "pongsim simulates the robots of a Gazebo world, headless.",
       .commands = commands,
       .footer =
           "Examples:\n"
@@ -48,12 +54,11 @@ Program programWith(std::span<const AddCommand> commands) {
 
 Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (argc > 0 && isCalledAsIgn(argv[0])) {
-    IgnLine line = fromIgnArguments(words);
-    if (line.text) return [text = *line.text] { return print(text) ? kDone : kFailed; };
-    words = std::move(line.arguments);
-  }
-  return workOf(std::move(words), programWith(commands));
+  const std::optional<GazeboProgram> gazebo = argc > 0 ? calledAs(argv[0]) : std::nullopt;
+  IgnLine line = gazebo ? fromIgnArguments(*gazebo, words) : IgnLine{std::move(words)};
+  if (!gazebo && asksForVersions(line.arguments)) line.text = PONGSIM_VERSION "\n";
+  if (line.text) return [text = *line.text] { return print(text) ? kDone : kFailed; };
+  return workOf(std::move(line.arguments), programWith(commands));
 }
 
 int run(int argc, char** argv, std::span<const AddCommand> commands) {

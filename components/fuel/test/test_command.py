@@ -131,7 +131,8 @@ class Command(unittest.TestCase):
                             (["download", "x"], "'x' is not the address of a model"), (["download", "-j", "17", "x"], "1 to 16"),
                             (["download", "x", "-v", "9"], "level from 0 to 4"), (["info"], "no address given"),
                             (["download", "https://fuel.gazebosim.org/1.0/o/models/m", "--header", "x"], "'x' is not a header"),
-                            (["upload"], "'upload' is not supported"), (["edit"], "ign fuel edit"), (["meta"], "model.config")):
+                            (["upload"], "'upload' is not supported"), (["edit"], "ign fuel edit"), (["meta"], "model.config"),
+                            (["configure"], "config.yaml")):
             self.assertIn(said, self.fuel(*words, code=2), words)
         self.assertIn("download", self.fuel("--help"))
         self.assertIn("--jobs", self.fuel("download", "--help"))

@@ -27,6 +27,7 @@ struct Answer {
 constexpr Answer kAbsentCommands[] = {
     {"gui", "pongsim has no GUI", "'pongsim view' renders a world, 'pongsim topic -e --plot' what a sensor measures"},
     {"launch", "pongsim does not run launch files", "start the programs in a script: pongsim run WORLD &"},
+    {"param", "pongsim has no parameter registries", "systems take parameters in their <plugin>, and have services"},
     {"gazebo", "'gazebo' is 'run' here", "pongsim run WORLD"},
     {"sim", "'sim' is 'run' here", "pongsim run WORLD"}};
 

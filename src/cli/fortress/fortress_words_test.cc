@@ -20,7 +20,8 @@ TEST(FortressWords, SayWhichPackageBringsACommand) {
 }
 
 TEST(FortressWords, SayWhatToUseInPlaceOfACommand) {
-  for (const char* name : {"gui", "launch", "gazebo", "sim"}) EXPECT_TRUE(adviceOnCommand(name).has_value()) << name;
+  for (const char* name : {"gui", "launch", "param", "gazebo", "sim"})
+    EXPECT_TRUE(adviceOnCommand(name).has_value()) << name;
   EXPECT_EQ(adviceOnCommand("simulate"), std::nullopt);
 }
 

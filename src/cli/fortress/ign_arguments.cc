@@ -15,27 +15,49 @@ namespace {
 /// The level that `-v` alone means for `ign`.
 constexpr const char* kVerbose = "3";
 
-/// The commands, with the version of their library in Fortress.
-constexpr std::pair<std::string_view, std::string_view> kIgnCommands[] = {
-    {"fuel", "7"},   {"gazebo", "6"}, {"log", "11"}, {"model", "6"},    {"msg", "8"},
-    {"plugin", "1"}, {"sdf", "12"},   {"sim", "6"},  {"service", "11"}, {"topic", "11"}};
+/// A command, with the version of its library in Fortress, and those in Garden and in Jetty.
+struct Command {
+  std::string_view name;
+  int fortress, garden, jetty;
+};
+constexpr Command kCommands[] = {{"fuel", 7, 8, 11}, {"gazebo", 6, 7, 10}, {"log", 11, 12, 15}, {"model", 6, 7, 10},
+                                 {"msg", 8, 9, 12},  {"plugin", 1, 2, 4},  {"sdf", 12, 13, 16}, {"service", 11, 12, 15},
+                                 {"sim", 6, 7, 10},  {"topic", 11, 12, 15}};
+
+/// Commands whose `-v` prints the version.
+constexpr std::string_view kWithShortVersion[] = {"model", "sdf", "service", "topic"};
+
+/// Commands that print names of message types.
+constexpr std::string_view kWithTypes[] = {"msg", "service", "topic"};
 
 bool isNumber(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// @return The version of Fortress's command; empty if the command is not supported here.
-std::string_view versionOf(std::string_view command) {
-  const auto* found = std::ranges::find(kIgnCommands, command, &std::pair<std::string_view, std::string_view>::first);
-  return found == std::end(kIgnCommands) ? std::string_view() : found->second;
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  return std::ranges::find(words, word) != std::end(words);
+}
+
+/// @return The versions that a command stands for, the newest first, as `gz` lists what is installed.
+std::vector<std::string> versionsOf(GazeboProgram program, const Command& command) {
+  if (program == GazeboProgram::kIgn) return {std::to_string(command.fortress)};
+  std::vector<std::string> versions;
+  for (int version = command.jetty; version >= command.garden; --version) versions.push_back(std::to_string(version));
+  return versions;
+}
+
+/// @return "version 6 of Fortress", "versions 7 to 10 of Garden to Jetty".
+std::string describedVersions(GazeboProgram program, const Command& command) {
+  if (program == GazeboProgram::kIgn) return "version " + std::to_string(command.fortress) + " of Fortress";
+  return "versions " + std::to_string(command.garden) + " to " + std::to_string(command.jetty) + " of Garden to Jetty";
 }
 
 /// @param wanted "6", or "6.16.0".
-void checkVersion(std::string_view command, std::string_view wanted) {
-  const std::string_view version = versionOf(command);
-  if (wanted.substr(0, wanted.find('.')) == version) return;
-  throw UsageError("there is no version '" + std::string(wanted) + "' of '" + std::string(command) + "' here",
-                   "it does the same as version " + std::string(version) + " of Fortress: leave out --force-version");
+void checkVersion(GazeboProgram program, const Command& command, std::string_view wanted) {
+  if (contains(versionsOf(program, command), wanted.substr(0, wanted.find('.')))) return;
+  throw UsageError("there is no version '" + std::string(wanted) + "' of '" + std::string(command.name) + "' here",
+                   "it does the same as " + describedVersions(program, command) + ": leave out --force-version");
 }
 
 /// @return The flags joined in a word ("sr" in "-srv4"), and what follows them ("v4").
@@ -47,22 +69,22 @@ std::pair<std::string_view, std::string_view> joinedFlags(std::string_view word)
 
 std::string commandNames() {
   std::string text;
-  for (const auto& [name, version] : kIgnCommands) text += std::string(name) + "\n";
+  for (const Command& command : kCommands) text += std::string(command.name) + "\n";
   return text;
 }
 
 using Words = std::vector<std::string>;
 
 /// Checks and removes `--force-version VERSION`.
-Words withoutForcedVersion(std::string_view command, std::span<const std::string> words) {
+Words withoutForcedVersion(GazeboProgram program, const Command& command, std::span<const std::string> words) {
   constexpr std::string_view kOption = "--force-version";
   Words rest;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == kOption) {
       if (++i == words.size()) throw UsageError("option '" + std::string(kOption) + "' needs a value");
-      checkVersion(command, words[i]);
+      checkVersion(program, command, words[i]);
     } else if (words[i].starts_with(std::string(kOption) + "=")) {
-      checkVersion(command, std::string_view(words[i]).substr(kOption.size() + 1));
+      checkVersion(program, command, std::string_view(words[i]).substr(kOption.size() + 1));
     } else {
       rest.push_back(words[i]);
     }
@@ -87,46 +109,48 @@ Words runArguments(const Words& words) {
   return result;
 }
 
-Words talkArguments(const std::string& command, const Words& words) {
-  Words result = {command};
-  for (const std::string& word : words) result.push_back(word == "--help-all" ? "--help" : word);
-  return result;
-}
-
 }  // namespace
 
-bool isCalledAsIgn(std::string_view program) {
+std::optional<GazeboProgram> calledAs(std::string_view program) {
   const std::size_t slash = program.rfind('/');
   const std::string_view name = slash == std::string_view::npos ? program : program.substr(slash + 1);
-  return name == "ign" || name == "gz";
+  if (name == "ign") return GazeboProgram::kIgn;
+  if (name == "gz") return GazeboProgram::kGz;
+  return std::nullopt;
 }
 
-IgnLine fromIgnArguments(const std::vector<std::string>& arguments) {
+IgnLine fromIgnArguments(GazeboProgram program, const std::vector<std::string>& arguments) {
   if (arguments.empty()) return {};
   if (arguments.front() == "--commands") return {{}, commandNames()};
   if (arguments.front() == "help") {
     if (arguments.size() == 1) return {{"--help"}};
-    return fromIgnArguments({arguments[1], "--help"});
+    return fromIgnArguments(program, {arguments[1], "--help"});
   }
-  const std::string& command = arguments.front();
-  const std::string version(versionOf(command));
-  if (version.empty()) return {arguments};
+  const auto* const command = std::ranges::find(kCommands, arguments.front(), &Command::name);
+  if (command == std::end(kCommands)) return {arguments};
 
-  const Words words = withoutForcedVersion(command, std::span(arguments).subspan(1));
-  const auto has = [&words](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
-  if (has("--versions")) return {{}, version + "\n"};
-  const bool isTalk = command == "topic" || command == "service";
-  if (has("--version") || (isTalk && has("-v"))) {
-    return {{}, "pongsim " PONGSIM_VERSION ", which does what '" + command + "' of version " + version + " does\n"};
+  Words words = withoutForcedVersion(program, *command, std::span(arguments).subspan(1));
+  if (contains(words, "--versions")) {
+    std::string text;
+    for (const std::string& version : versionsOf(program, *command)) text += version + "\n";
+    return {{}, text};
   }
-  if (command == "gazebo" || command == "sim") return {runArguments(words)};
-  if (isTalk) return {talkArguments(command, words)};
-
-  Words result = {command};
-  result.insert(result.end(), words.begin(), words.end());
+  if (contains(words, "--version") || (contains(kWithShortVersion, command->name) && contains(words, "-v"))) {
+    return {{},
+            "pongsim " PONGSIM_VERSION ", which does what '" + std::string(command->name) + "' of " +
+                describedVersions(program, *command) + " does\n"};
+  }
+  if (command->name == "gazebo" || command->name == "sim") return {runArguments(words)};
   // `plugin` is always verbose
-  if (command == "plugin") std::erase_if(result, [](const auto& word) { return word == "-v" || word == "--verbose"; });
-  if (command == "msg" || command == "model") result.emplace_back("--as-ign");
+  if (command->name == "plugin")
+    std::erase_if(words, [](const auto& word) { return word == "-v" || word == "--verbose"; });
+  std::ranges::replace(words, "--help-all", "--help");
+
+  Words result = {std::string(command->name)};
+  result.insert(result.end(), words.begin(), words.end());
+  const bool isIgn = program == GazeboProgram::kIgn;
+  if (command->name == "model" || (isIgn && command->name == "msg")) result.emplace_back("--as-ign");
+  if (!isIgn && contains(kWithTypes, command->name)) result.emplace_back("--as-gz");
   return {result};
 }
 

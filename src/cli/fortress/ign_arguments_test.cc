@@ -10,12 +10,16 @@ namespace {
 using Words = std::vector<std::string>;
 
 TEST(IgnArguments, AreForALinkOfThatName) {
-  for (const char* yes : {"ign", "gz", "/usr/bin/ign", "./gz"}) EXPECT_TRUE(isCalledAsIgn(yes)) << yes;
-  for (const char* no : {"pongsim", "/ign/pongsim", "sign", "", "ign/"}) EXPECT_FALSE(isCalledAsIgn(no)) << no;
+  for (const char* name : {"ign", "/usr/bin/ign"}) EXPECT_EQ(calledAs(name), GazeboProgram::kIgn) << name;
+  for (const char* name : {"gz", "./gz"}) EXPECT_EQ(calledAs(name), GazeboProgram::kGz) << name;
+  for (const char* no : {"pongsim", "/ign/pongsim", "sign", "gzip", "", "ign/"}) {
+    EXPECT_EQ(calledAs(no), std::nullopt) << no;
+  }
 }
 
-Words wordsOf(const Words& arguments) {
-  const IgnLine line = fromIgnArguments(arguments);
+/// @return What a command line for `ign` or `gz` becomes.
+Words wordsOf(const Words& arguments, GazeboProgram program = GazeboProgram::kIgn) {
+  const IgnLine line = fromIgnArguments(program, arguments);
   EXPECT_FALSE(line.text.has_value());
   return line.arguments;
 }
@@ -45,25 +49,25 @@ TEST(IgnArguments, MayBeJoined) {
 }
 
 TEST(IgnArguments, TellOfVersionsWithoutRunningAnything) {
-  EXPECT_EQ(fromIgnArguments({"gazebo", "--versions"}).text, "6\n");
-  EXPECT_EQ(fromIgnArguments({"topic", "--versions"}).text, "11\n");
-  EXPECT_EQ(fromIgnArguments({"sdf", "--versions"}).text, "12\n");
-  EXPECT_EQ(fromIgnArguments({"gazebo", "--version"}).text,
+  EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "--versions"}).text, "6\n");
+  EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"topic", "--versions"}).text, "11\n");
+  EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"sdf", "--versions"}).text, "12\n");
+  EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "--version"}).text,
             "pongsim " PONGSIM_VERSION ", which does what 'gazebo' of version 6 does\n");
   for (const char* word : {"-v", "--version"}) {
-    EXPECT_TRUE(fromIgnArguments({"topic", word}).text.has_value()) << word;
-    EXPECT_TRUE(fromIgnArguments({"service", "-l", word}).text.has_value()) << word;
+    EXPECT_TRUE(fromIgnArguments(GazeboProgram::kIgn, {"topic", word}).text.has_value()) << word;
+    EXPECT_TRUE(fromIgnArguments(GazeboProgram::kIgn, {"service", "-l", word}).text.has_value()) << word;
   }
-  EXPECT_NE(fromIgnArguments({"--commands"}).text->find("\ngazebo\n"), std::string::npos);
+  EXPECT_NE(fromIgnArguments(GazeboProgram::kIgn, {"--commands"}).text->find("\ngazebo\n"), std::string::npos);
 }
 
 TEST(IgnArguments, MayForceTheVersionThatThisIs) {
   EXPECT_EQ(wordsOf({"gazebo", "-r", "a.sdf", "--force-version", "6"}), (Words{"run", "-r", "a.sdf"}));
   EXPECT_EQ(wordsOf({"gazebo", "--force-version=6.16.0", "-r", "a.sdf"}), (Words{"run", "-r", "a.sdf"}));
   EXPECT_EQ(wordsOf({"topic", "--force-version", "11", "-l"}), (Words{"topic", "-l"}));
-  EXPECT_THROW(fromIgnArguments({"gazebo", "-r", "a.sdf", "--force-version", "7"}), UsageError);
-  EXPECT_THROW(fromIgnArguments({"gazebo", "a.sdf", "--force-version=61"}), UsageError);
-  EXPECT_THROW(fromIgnArguments({"gazebo", "--force-version"}), UsageError);
+  EXPECT_THROW(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "-r", "a.sdf", "--force-version", "7"}), UsageError);
+  EXPECT_THROW(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "a.sdf", "--force-version=61"}), UsageError);
+  EXPECT_THROW(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "--force-version"}), UsageError);
 }
 
 TEST(IgnArguments, AreOtherwiseTheSame) {
@@ -74,6 +78,39 @@ TEST(IgnArguments, AreOtherwiseTheSame) {
   EXPECT_EQ(wordsOf({"msg", "-l"}), (Words{"msg", "-l", "--as-ign"}));
   EXPECT_EQ(wordsOf({"launch", "a.ign"}), (Words{"launch", "a.ign"}));
   EXPECT_EQ(wordsOf({}), Words());
+}
+
+TEST(GzArguments, AreThoseOfTheSameCommands) {
+  EXPECT_EQ(wordsOf({"sim", "-s", "-rv4", "a.sdf", "--seed", "3"}, GazeboProgram::kGz),
+            (Words{"run", "-s", "-rv4", "a.sdf", "--seed", "3"}));
+  EXPECT_EQ(wordsOf({"sim", "-s", "a.sdf"}, GazeboProgram::kGz), (Words{"run", "-s", "a.sdf", "--paused"}));
+  EXPECT_EQ(wordsOf({"log", "record", "--file", "a.tlog"}, GazeboProgram::kGz),
+            (Words{"log", "record", "--file", "a.tlog"}));
+  EXPECT_EQ(wordsOf({"model", "--list"}, GazeboProgram::kGz), (Words{"model", "--list", "--as-ign"}));
+  EXPECT_EQ(wordsOf({"help", "sdf"}, GazeboProgram::kGz), (Words{"sdf", "--help"}));
+}
+
+TEST(GzArguments, NameTypesAsSinceGarden) {
+  EXPECT_EQ(wordsOf({"topic", "-f", "-t", "/clock"}, GazeboProgram::kGz),
+            (Words{"topic", "-f", "-t", "/clock", "--as-gz"}));
+  EXPECT_EQ(wordsOf({"service", "-l"}, GazeboProgram::kGz), (Words{"service", "-l", "--as-gz"}));
+  EXPECT_EQ(wordsOf({"msg", "-l"}, GazeboProgram::kGz), (Words{"msg", "-l", "--as-gz"}));
+}
+
+TEST(GzArguments, StandForAllVersionsFromGardenToJetty) {
+  const auto textOf = [](const Words& arguments) { return fromIgnArguments(GazeboProgram::kGz, arguments).text; };
+  EXPECT_EQ(textOf({"sim", "--versions"}), "10\n9\n8\n7\n");
+  EXPECT_EQ(textOf({"sdf", "--versions"}), "16\n15\n14\n13\n");
+  for (const Words& line : {Words{"sdf", "-v"}, Words{"model", "--version"}, Words{"topic", "-v"}}) {
+    EXPECT_TRUE(textOf(line).has_value()) << line.front();
+  }
+  for (const char* version : {"7", "8", "8.9.0", "9", "10.1"}) {
+    EXPECT_EQ(wordsOf({"sim", "-r", "a.sdf", "--force-version", version}, GazeboProgram::kGz),
+              (Words{"run", "-r", "a.sdf"}));
+  }
+  for (const char* version : {"6", "11", "1", ""}) {
+    EXPECT_THROW(wordsOf({"sim", "a.sdf", "--force-version", version}, GazeboProgram::kGz), UsageError) << version;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/command.hh"
+#include "cli/fortress/gz_types.hh"
 #include "cli/options/message_option.hh"
 #include "cli/own_folder.hh"
 #include "msgs/encoding/message_template.hh"
@@ -21,7 +22,7 @@ namespace {
 
 /// The parsed command line.
 struct MsgCommandLine {
-  bool list = false, json = false, asIgn = false;
+  bool list = false, json = false, asIgn = false, asGz = false;
   std::optional<std::string> infoType, templateType;
 };
 
@@ -33,10 +34,12 @@ std::string ignName(const std::string& type) {
 
 int listTypes(const MsgCommandLine& given) {
   const bool asJson = given.json;
-  if (asJson) return print(nlohmann::ordered_json(messageTypes()).dump() + "\n") ? kDone : kFailed;
   std::string text;
-  for (const std::string& type : messageTypes()) text += (given.asIgn ? ignName(type) : type) + "\n";
-  return print(text) ? kDone : kFailed;
+  if (asJson) text = nlohmann::ordered_json(messageTypes()).dump() + "\n";
+  for (const std::string& type : messageTypes()) {
+    if (!asJson) text += (given.asIgn ? ignName(type) : type) + "\n";
+  }
+  return print(withTypeNames(text, given.asGz)) ? kDone : kFailed;
 }
 
 Work workFor(const MsgCommandLine& given) {
@@ -46,15 +49,17 @@ Work workFor(const MsgCommandLine& given) {
   }
   if (given.list) return [&given] { return listTypes(given); };
   const std::string type = messageTypeOption(given.infoType ? *given.infoType : *given.templateType);
-  const std::string head = given.asIgn ? "Name: " + type + "\nFile: " + msgs::definitionFile(type).value_or("") + "\n\n"
-                                       : "// " + type + "\n";
-  // without comments, like `ign`
-  const auto comments = given.asIgn ? std::filesystem::path() : ownFolder() / "message_comments";
+  const bool asGazebo = given.asIgn || given.asGz;
+  const std::string head =
+      asGazebo ? "Name: " + type + "\nFile: " + msgs::definitionFile(type).value_or("") + "\n\n" : "// " + type + "\n";
+  // without comments, like `ign` and `gz`
+  const auto comments = asGazebo ? std::filesystem::path() : ownFolder() / "message_comments";
   const std::string text =
       given.infoType ? head + msgs::definition(type, comments).value_or("") : msgs::messageTemplate(type).value_or("");
-  if (!given.json) return [text] { return print(text) ? kDone : kFailed; };
   const nlohmann::ordered_json json = {{"type", type}, {given.infoType ? "definition" : "template", text}};
-  return [line = json.dump() + "\n"] { return print(line) ? kDone : kFailed; };
+  return [shown = withTypeNames(given.json ? json.dump() + "\n" : text, given.asGz)] {
+    return print(shown) ? kDone : kFailed;
+  };
 }
 
 }  // namespace
@@ -72,6 +77,7 @@ void addMsgCommand(CLI::App& program, Work& work) {
   add("-i,--info", "Print the type's definition: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->infoType);
   add("-t,--template", "Print a template of a message of the type", given->templateType);
   command->add_flag("--as-ign", given->asIgn)->disable_flag_override()->group("");
+  command->add_flag("--as-gz", given->asGz)->disable_flag_override()->group("");
   command->footer(
       "Examples:\n"
       "  pongsim msg -l\n"

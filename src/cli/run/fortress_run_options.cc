@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <string_view>
 
+#include "cli/options/number_option.hh"
 #include "shared/program/failure.hh"
 
 namespace pongsim::cli {
@@ -13,12 +14,25 @@ namespace {
 void checkRenderEngine(const char* option, const std::optional<std::string>& engine) {
   if (!engine) return;
   std::string_view name = *engine;
-  if (constexpr std::string_view kPrefix = "ignition-rendering-"; name.starts_with(kPrefix)) {
-    name.remove_prefix(kPrefix.size());
+  // "ignition-rendering-ogre2", "gz-rendering-ogre2", "gz-rendering8-ogre2"
+  if (name.starts_with("ignition-rendering") || name.starts_with("gz-rendering")) {
+    name.remove_prefix(name.rfind('-') + 1);
   }
   if (name == "ogre" || name == "ogre2") return;
   throw UsageError("there is no render engine '" + *engine + "' for '" + option + "'",
                    "leave it out: cameras use pongsim's own renderer instead of ogre and ogre2");
+}
+
+/// @param backend Nothing is checked without one.
+void checkBackend(const char* option, const std::optional<std::string>& backend) {
+  if (!backend || *backend == "opengl" || *backend == "vulkan" || *backend == "metal") return;
+  throw UsageError("'" + *backend + "' is no backend for '" + option + "'", "Gazebo knows opengl, vulkan and metal");
+}
+
+void checkInitialTime(const std::optional<std::string>& time) {
+  constexpr const char* kOption = "--initial-sim-time";
+  if (!time || numberFromZero(kOption, *time, "a number of seconds") == 0) return;
+  throw UsageError("every world starts at 0 s: there is no '" + std::string(kOption) + "'", "leave it out");
 }
 
 }  // namespace
@@ -38,6 +52,11 @@ void FortressRunOptions::addTo(CLI::App& run) {
   add("--render-engine", renderEngine_);
   add("--render-engine-gui", guiEngine_);
   add("--render-engine-server", serverEngine_);
+  addFlag("--wait-for-assets", waitsForAssets_);
+  add("--render-engine-api-backend", backend_);
+  add("--render-engine-gui-api-backend", guiBackend_);
+  add("--render-engine-server-api-backend", serverBackend_);
+  add("--initial-sim-time", initialTime_);
   add("--network-role", role_);
   add("--network-secondaries", secondaries_);
 }
@@ -54,10 +73,15 @@ std::vector<std::string> FortressRunOptions::check() const {
   }
   checkRenderEngine("--render-engine", renderEngine_);
   checkRenderEngine("--render-engine-server", serverEngine_);
+  checkBackend("--render-engine-api-backend", backend_);
+  checkBackend("--render-engine-gui-api-backend", guiBackend_);
+  checkBackend("--render-engine-server-api-backend", serverBackend_);
+  checkInitialTime(initialTime_);
   std::vector<std::string> sentences;
   if (physicsEngine_) sentences.emplace_back("'--physics-engine' has no effect: pongsim has its own engine");
   for (const auto& [option, isGiven] :
-       {std::pair("--gui-config", guiConfig_.has_value()), std::pair("--render-engine-gui", guiEngine_.has_value())}) {
+       {std::pair("--gui-config", guiConfig_.has_value()), std::pair("--render-engine-gui", guiEngine_.has_value()),
+        std::pair("--render-engine-gui-api-backend", guiBackend_.has_value())}) {
     if (isGiven && !isServer_) {
       sentences.push_back("'" + std::string(option) + "' has no effect: pongsim has no GUI");
     }

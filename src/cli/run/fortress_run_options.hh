@@ -10,13 +10,13 @@ class App;
 
 namespace pongsim::cli {
 
-/// Options of `ign gazebo` that `pongsim run` accepts so that scripts work unchanged, and that its help does not list:
-/// they ask for the default behaviour, or for something that pongsim does not have.
+/// Options of `ign gazebo` and `gz sim` that `pongsim run` accepts so that scripts work unchanged, and that its help
+/// does not list: they ask for the default behaviour, or for something that pongsim does not have.
 class FortressRunOptions {
  public:
   void addTo(CLI::App& run);
 
-  /// @return One sentence for each given option that has an effect in Fortress but not here.
+  /// @return One sentence for each given option that has an effect in Gazebo but not here.
   /// @throws UsageError if one asks for something that pongsim does not have and the run depends on.
   std::vector<std::string> check() const;
 
@@ -24,7 +24,10 @@ class FortressRunOptions {
   bool isServer_ = false;
   bool isGui_ = false;
   bool isHeadless_ = false;
-  std::optional<std::string> guiConfig_, physicsEngine_, renderEngine_, guiEngine_, serverEngine_, role_, secondaries_;
+  // before a run starts, all its models are there anyway
+  bool waitsForAssets_ = false;
+  std::optional<std::string> guiConfig_, physicsEngine_, renderEngine_, guiEngine_, serverEngine_, role_, secondaries_,
+      backend_, guiBackend_, serverBackend_, initialTime_;
 };
 
 }  // namespace pongsim::cli

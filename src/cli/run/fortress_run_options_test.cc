@@ -25,6 +25,12 @@ TEST(FortressRunOptions, TakeWhatIsSoAnyway) {
   EXPECT_TRUE(sentencesOn({"ignition-rendering-ogre2", "--render-engine-server"}).empty());
   EXPECT_TRUE(sentencesOn({"a.config", "--gui-config", "ogre", "--render-engine-gui", "-s"}).empty());
   EXPECT_TRUE(sentencesOn({"-g", "-s"}).empty());
+  EXPECT_TRUE(sentencesOn({"--wait-for-assets"}).empty());
+  EXPECT_TRUE(sentencesOn({"0", "--initial-sim-time"}).empty());
+  EXPECT_TRUE(sentencesOn({"gz-rendering8-ogre2", "--render-engine"}).empty());
+  EXPECT_TRUE(sentencesOn({"vulkan", "--render-engine-api-backend"}).empty());
+  EXPECT_TRUE(sentencesOn({"opengl", "--render-engine-server-api-backend"}).empty());
+  EXPECT_TRUE(sentencesOn({"opengl", "--render-engine-gui-api-backend", "-s"}).empty());
 }
 
 TEST(FortressRunOptions, SayWhatChangesNothing) {
@@ -32,6 +38,8 @@ TEST(FortressRunOptions, SayWhatChangesNothing) {
             (std::vector<std::string>{"'--gui-config' has no effect: pongsim has no GUI"}));
   EXPECT_EQ(sentencesOn({"ogre", "--render-engine-gui"}),
             (std::vector<std::string>{"'--render-engine-gui' has no effect: pongsim has no GUI"}));
+  EXPECT_EQ(sentencesOn({"opengl", "--render-engine-gui-api-backend"}),
+            (std::vector<std::string>{"'--render-engine-gui-api-backend' has no effect: pongsim has no GUI"}));
   EXPECT_EQ(sentencesOn({"ignition-physics-tpe-plugin", "--physics-engine"}),
             (std::vector<std::string>{"'--physics-engine' has no effect: pongsim has its own engine"}));
 }
@@ -41,6 +49,10 @@ TEST(FortressRunOptions, RefuseWhatCannotBe) {
   EXPECT_THROW(sentencesOn({"primary", "--network-role"}), UsageError);
   EXPECT_THROW(sentencesOn({"2", "--network-secondaries"}), UsageError);
   EXPECT_THROW(sentencesOn({"optix", "--render-engine"}), UsageError);
+  EXPECT_THROW(sentencesOn({"gz-rendering-optix", "--render-engine"}), UsageError);
+  EXPECT_THROW(sentencesOn({"glide", "--render-engine-api-backend"}), UsageError);
+  EXPECT_THROW(sentencesOn({"10", "--initial-sim-time"}), UsageError);
+  EXPECT_THROW(sentencesOn({"soon", "--initial-sim-time"}), UsageError);
   EXPECT_THROW(sentencesOn({"optix", "--render-engine-server"}), UsageError);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/fortress/gz_types.hh"
 #include "cli/look_around.hh"
 #include "cli/options/message_option.hh"
 #include "cli/service/service_command.hh"
@@ -58,13 +59,13 @@ std::optional<int> findTypes(Transport& transport, CallOptions& options) {
 
 }  // namespace
 
-int listServices(bool asJson) {
+int listServices(bool asJson, bool asGz) {
   Transport transport;
   const std::vector<ServiceInfo> services = servicesAround(transport);
   if (asJson) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const ServiceInfo& service : services) list.push_back(jsonOf(service));
-    return print(list.dump() + "\n") ? kDone : kFailed;
+    return print(withTypeNames(list.dump() + "\n", asGz)) ? kDone : kFailed;
   }
   std::string text;
   for (const ServiceInfo& service : services) text += service.name + "\n";
@@ -72,18 +73,18 @@ int listServices(bool asJson) {
   return print(text) ? kDone : kFailed;
 }
 
-int showService(const std::string& name, bool asJson) {
+int showService(const std::string& name, bool asJson, bool asGz) {
   Transport transport;
   const std::vector<ServiceInfo> services = servicesAround(transport);
   const auto service = std::ranges::find(services, name, &ServiceInfo::name);
   if (service == services.end()) return fail("no service " + name, nearestService(name, services));
 
-  if (asJson) return print(jsonOf(*service).dump() + "\n") ? kDone : kFailed;
+  if (asJson) return print(withTypeNames(jsonOf(*service).dump() + "\n", asGz)) ? kDone : kFailed;
   std::string text = "Service providers [Process, Request Message Type, Response Message Type]:\n";
   for (const ServiceInfo::Provider& provider : service->providers) {
     text += "  " + std::to_string(provider.pid) + ", " + provider.requestType + ", " + provider.replyType + "\n";
   }
-  return print(text) ? kDone : kFailed;
+  return print(withTypeNames(text, asGz)) ? kDone : kFailed;
 }
 
 int callService(const CallOptions& given) {

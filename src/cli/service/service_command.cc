@@ -21,7 +21,7 @@ namespace {
 
 /// The parsed command line.
 struct ServiceCommandLine {
-  bool list = false, info = false, json = false;
+  bool list = false, info = false, json = false, asGz = false;
   std::optional<std::string> service, requestType, replyType, timeout, text;
 };
 
@@ -55,10 +55,10 @@ Work workFor(const ServiceCommandLine& given) {
     }
   }
   if (given.list && given.service) throw UsageError("option '-s' can't be used with '-l'", "use it with -i or -r");
-  if (given.list) return [json = given.json] { return listServices(json); };
+  if (given.list) return [&given] { return listServices(given.json, given.asGz); };
   if (!given.service) throw UsageError("'" + std::string(action) + "' needs a service", "-s SERVICE");
   if (given.text) return callWork(given);
-  return [service = serviceOption(*given.service), json = given.json] { return showService(service, json); };
+  return [service = serviceOption(*given.service), &given] { return showService(service, given.json, given.asGz); };
 }
 
 }  // namespace
@@ -76,13 +76,19 @@ void addServiceCommand(CLI::App& program, Work& work) {
       ->disable_flag_override();
   command->add_flag("--json", given->json, "Print JSON: the list as an array, the providers as an object, the reply")
       ->disable_flag_override();
-  add("-r,--req", "TEXT", "Call the service with this request, in protobuf's text format, and print the reply",
-      given->text);
+  command
+      ->add_option_function<std::string>(
+          "-r,--req", [given](const std::string& text) { given->text = text; },
+          "Call the service with this request, in protobuf's text format, and print the reply; without TEXT\n"
+          "the request has only default values")
+      ->type_name("[TEXT]")
+      ->expected(0, 1);
   add("-s,--service", "SERVICE", "The service", given->service);
   add("--reqtype", "TYPE", "The request's type (the one that the service states)", given->requestType);
   add("--reptype", "TYPE", "The reply's type (the one that the service states)", given->replyType);
   add("--timeout", "MS", "Give up after MS milliseconds (1000 without such a service, 5000 for its reply)",
       given->timeout);
+  command->add_flag("--as-gz", given->asGz)->disable_flag_override()->group("");
   addNetworkOption(*command);
   addSecureOption(*command);
   command->footer(

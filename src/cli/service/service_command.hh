@@ -20,8 +20,9 @@ struct CallOptions {
 };
 
 /// Implements `pongsim service`; each function returns the exit code.
-int listServices(bool asJson);
-int showService(const std::string& service, bool asJson);
+int listServices(bool asJson, bool asGz);
+/// @param asGz Name types as `gz` does.
+int showService(const std::string& service, bool asJson, bool asGz);
 int callService(const CallOptions& options);
 
 }  // namespace pongsim::cli

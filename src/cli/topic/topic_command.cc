@@ -28,7 +28,7 @@ namespace {
 struct TopicCommandLine {
   std::string action;
   bool list = false, info = false, echo = false, hz = false, bw = false, delay = false, json = false, csv = false,
-       plot = false, verbose = false;
+       plot = false, verbose = false, asGz = false;
   std::optional<std::string> topic, type, text, file, count, duration, timeout, rate;
   std::vector<std::string> fields;
 };
@@ -151,11 +151,11 @@ Work workFor(const TopicCommandLine& given) {
   }
   const std::string_view action = chosen->first;
   refuseOthers(given, action);
-  if (given.list) return [v = given.verbose, json = given.json] { return listTopics(v, json); };
+  if (given.list) return [&given] { return listTopics(given.verbose, given.json, given.asGz); };
   if (!given.topic) throw UsageError("'" + std::string(action) + "' needs a topic", "-t TOPIC");
   if (given.echo) return echoWork(given);
   if (given.info) {
-    return [topic = topicOption(*given.topic), json = given.json] { return showTopic(topic, json); };
+    return [topic = topicOption(*given.topic), &given] { return showTopic(topic, given.json, given.asGz); };
   }
   if (given.hz || given.bw) {
     const RateKind kind = given.hz ? RateKind::kMessages : RateKind::kBytes;
@@ -188,7 +188,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   addFlag("-e,--echo", given->echo, "Print a topic's messages as they arrive");
   add("-p,--pub", "TEXT", "Publish a message, in protobuf's text format, as soon as somebody subscribes", given->text);
   add("--file", "FILE", "Publish the message in this file; - is stdin", given->file);
-  addFlag("--hz", given->hz, "Print the rate of messages once a second, by wall time");
+  addFlag("--hz,-f,--frequency", given->hz, "Print the rate of messages once a second, by wall time");
   addFlag("--bw", given->bw, "Print the bandwidth once a second");
   addFlag("--delay", given->delay,
           "Print once a second the delay from a message's time stamp to its arrival; needs stamps in headers");
@@ -213,6 +213,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   add("--timeout", "S",
       "Publish: give up after S seconds (1) without a subscriber;\nwait: fail after S seconds (no limit)",
       given->timeout);
+  command->add_flag("--as-gz", given->asGz)->disable_flag_override()->group("");
   addNetworkOption(*command);
   addSecureOption(*command);
   command->footer(

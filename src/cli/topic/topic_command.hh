@@ -43,8 +43,9 @@ enum class RateKind { kMessages, kBytes };
 
 /// Implements `pongsim topic`; each function returns the exit code.
 /// @param isVerbose Print types and counts, and topics that have only subscribers.
-int listTopics(bool isVerbose, bool asJson);
-int showTopic(const std::string& topic, bool asJson);
+/// @param asGz Name types as `gz` does.
+int listTopics(bool isVerbose, bool asJson, bool asGz);
+int showTopic(const std::string& topic, bool asJson, bool asGz);
 int echoTopic(const EchoOptions& options);
 /// Draws the scans of a lidar.
 int plotTopic(const ReadOptions& options);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/fortress/gz_types.hh"
 #include "cli/look_around.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
@@ -90,10 +91,10 @@ std::string line(const TopicInfo& topic) {
 
 }  // namespace
 
-int listTopics(bool isVerbose, bool asJson) {
+int listTopics(bool isVerbose, bool asJson, bool asGz) {
   Transport transport;
   const std::vector<TopicInfo> topics = topicsAround(transport);
-  if (asJson) return print(jsonOf(topics)) ? kDone : kFailed;
+  if (asJson) return print(withTypeNames(jsonOf(topics), asGz)) ? kDone : kFailed;
   std::string text;
   for (const TopicInfo& topic : topics) {
     if (isVerbose) {
@@ -103,10 +104,10 @@ int listTopics(bool isVerbose, bool asJson) {
     }
   }
   if (text.empty()) say("no topics with publishers");
-  return print(text) ? kDone : kFailed;
+  return print(withTypeNames(text, asGz)) ? kDone : kFailed;
 }
 
-int showTopic(const std::string& name, bool asJson) {
+int showTopic(const std::string& name, bool asJson, bool asGz) {
   Transport transport;
   const std::vector<TopicInfo> topics = topicsAround(transport);
   const auto found =
@@ -122,12 +123,12 @@ int showTopic(const std::string& name, bool asJson) {
   if (asJson) {
     const nlohmann::ordered_json json = {
         {"name", topic.name}, {"publishers", jsonOf(topic.publishers)}, {"subscribers", jsonOf(topic.subscribers)}};
-    return print(json.dump() + "\n") ? kDone : kFailed;
+    return print(withTypeNames(json.dump() + "\n", asGz)) ? kDone : kFailed;
   }
   std::string text = topic.publishers.empty() ? "No publishers on topic [" + name + "]\n"
                                               : table("Publishers", "sent", topic.publishers);
   if (!topic.subscribers.empty()) text += table("Subscribers", "received", topic.subscribers);
-  return print(text) ? kDone : kFailed;
+  return print(withTypeNames(text, asGz)) ? kDone : kFailed;
 }
 
 }  // namespace pongsim::cli

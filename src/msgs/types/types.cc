@@ -17,7 +17,8 @@ namespace {
 namespace protobuf = google::protobuf;
 
 constexpr std::string_view kPackage = "ignition.msgs.";
-constexpr std::string_view kPrefixes[] = {kPackage, ".ignition.msgs.", "ign_msgs.", "gz.msgs.", ".gz.msgs."};
+constexpr std::string_view kPrefixes[] = {kPackage,   ".ignition.msgs.", "ign_msgs.",
+                                          "gz.msgs.", ".gz.msgs.",       "gz_msgs."};
 
 /// Protobuf's own log messages about bad payloads and texts are for developers: every caller here reports errors
 /// itself.
