@@ -71,16 +71,47 @@ constexpr auto kFortressSystems = std::to_array<std::string_view>({"ackermann-st
                                                                    "wheel-slip",
                                                                    "wind-effects"});
 
+constexpr LaterSystem kLaterSystems[] = {{"acoustic-comms", "Garden"},
+                                         {"advanced-lift-drag", "Garden"},
+                                         {"air-speed", "Garden"},
+                                         {"environment-preload", "Garden"},
+                                         {"environmental-sensor", "Garden"},
+                                         {"lighter_than_air_dynamics", "Garden"},
+                                         {"spacecraft-thruster-model", "Garden"},
+                                         {"dvl", "Harmonic"},
+                                         {"entity-semantics", "Harmonic"},
+                                         {"lens-flare", "Harmonic"},
+                                         {"python-system-loader", "Harmonic"},
+                                         {"drive-to-pose-controller", "Ionic"},
+                                         {"free-space-explorer", "Jetty"},
+                                         {"lookup-wheel-slip", "Jetty"},
+                                         {"websocket-server", "Jetty"},
+                                         {"cpu-lidar", "Rotary"},
+                                         {"led-plugin", "Rotary"}};
+
 }  // namespace
 
 std::span<const std::string_view> fortressSystems() { return kFortressSystems; }
 
+std::span<const LaterSystem> laterSystems() { return kLaterSystems; }
+
+bool isOfGazebo(std::string_view name) {
+  return std::ranges::find(kFortressSystems, name) != std::end(kFortressSystems) ||
+         std::ranges::find(kLaterSystems, name, &LaterSystem::name) != std::end(kLaterSystems);
+}
+
+bool isSupported(std::string_view name, std::span<const std::string> available) {
+  return coreSystem(name) != nullptr || std::ranges::find(available, name) != available.end() ||
+         !packageOf(name).empty();
+}
+
 std::vector<std::string_view> missingSystems(std::span<const std::string> available) {
   std::vector<std::string_view> missing;
-  for (const std::string_view name : fortressSystems()) {
-    const bool isHere = coreSystem(name) != nullptr || std::ranges::find(available, name) != available.end();
-    if (!isHere && packageOf(name).empty()) missing.push_back(name);
-  }
+  const auto addIfMissing = [&](std::string_view name) {
+    if (!isSupported(name, available)) missing.push_back(name);
+  };
+  for (const std::string_view name : fortressSystems()) addIfMissing(name);
+  for (const LaterSystem& system : laterSystems()) addIfMissing(system.name);
   return missing;
 }
 

@@ -18,10 +18,20 @@ TEST(FortressSystems, ListsEachLibraryOfFortressOnce) {
 
 TEST(FortressSystems, AreMissingWhereNoLibraryNoPackageAndNotPongsimItselfDoesTheirWork) {
   const auto missing = missingSystems(std::vector<std::string>{"imu", "my-system"});
-  EXPECT_EQ(missing.size(), fortressSystems().size() - 4);
-  for (const char* name : {"imu", "log", "physics", "user-commands"})
+  // what follows Fortress's is of later releases; one of them is in a package
+  EXPECT_EQ(missing.size(), fortressSystems().size() - 4 + laterSystems().size() - 1);
+  for (const char* name : {"imu", "log", "physics", "user-commands", "websocket-server"})
     EXPECT_EQ(std::ranges::count(missing, name), 0) << name;
-  EXPECT_EQ(std::ranges::count(missing, "buoyancy"), 1);
+  for (const char* name : {"buoyancy", "air-speed"}) EXPECT_EQ(std::ranges::count(missing, name), 1) << name;
+}
+
+TEST(FortressSystems, AreBesideThoseOfLaterReleases) {
+  for (const LaterSystem& system : laterSystems()) {
+    EXPECT_EQ(std::ranges::count(fortressSystems(), system.name), 0) << system.name;
+    EXPECT_EQ(std::ranges::count(laterSystems(), system.name, &LaterSystem::name), 1) << system.name;
+  }
+  for (const char* name : {"imu", "dvl"}) EXPECT_TRUE(isOfGazebo(name)) << name;
+  EXPECT_FALSE(isOfGazebo("my-system"));
 }
 
 }  // namespace

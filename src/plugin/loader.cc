@@ -12,6 +12,7 @@
 #include "plugin/fortress_systems.hh"
 #include "plugin/inspection.hh"
 #include "plugin/system_name.hh"
+#include "pongsim/program/gazebo_variable.hh"
 
 namespace pongsim::plugin {
 
@@ -87,8 +88,8 @@ std::string sumUp(const std::vector<description::Plugin>& plugins, const std::st
 std::vector<std::filesystem::path> defaultSearchPath() {
   std::vector<std::filesystem::path> folders;
   appendFolders("PONGSIM_PLUGIN_PATH", folders);
-  appendFolders("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", folders);
-  appendFolders("GZ_SIM_SYSTEM_PLUGIN_PATH", folders);
+  appendFolders(gazebo::kSystemPluginPath.fortress, folders);
+  appendFolders(gazebo::kSystemPluginPath.later, folders);
   const std::filesystem::path self = base::ownLibraryFile();
   if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
   return folders;
@@ -153,16 +154,16 @@ void Loader::noteNotFound(const std::string& name, const description::Plugin& pl
     missed_.push_back(name);
   }
   const std::string package(packageOf(name));
-  const bool isOfFortress = std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end();
   if (!package.empty()) {
     return report(plugin, need, "is not installed", "the package " + package + " has it: apt-get install " + package,
                   diagnostics);
   }
-  if (isOfFortress) return report(plugin, need, "is a system of Gazebo that is not supported yet", {}, diagnostics);
+  if (isOfGazebo(name)) return report(plugin, need, "is a system of Gazebo that is not supported yet", {}, diagnostics);
   if (isForeignPlugin(name) && need == Need::kOptional) return foreign_.push_back(plugin);
   const std::vector<std::string> available = systemsIn(searchPath_);
   std::vector<std::string_view> words(available.begin(), available.end());
   words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
+  for (const LaterSystem& system : laterSystems()) words.push_back(system.name);
   const std::string meant = base::didYouMean(name, words);
   if (meant.empty() && need == Need::kOptional) return unknown_.push_back(plugin);
   report(plugin, need, "was not found", meant.empty() ? lookedIn() : meant, diagnostics);

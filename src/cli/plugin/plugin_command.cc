@@ -30,6 +30,7 @@ namespace {
 struct PluginOptions {
   bool list = false;
   bool missing = false;
+  bool later = false;
   bool markdown = false;
   std::optional<std::string> info;
   /// As with `ign plugin`, in addition to --info.
@@ -42,6 +43,17 @@ int listMissing() {
   std::string text;
   for (const std::string_view name : plugin::missingSystems(plugin::systemsIn(plugin::defaultSearchPath())))
     text += std::string(name) + "\n";
+  return print(text) ? kDone : kFailed;
+}
+
+/// Prints name, release and whether it is there, one system a line.
+int listLater() {
+  const std::vector<std::string> available = plugin::systemsIn(plugin::defaultSearchPath());
+  std::string text;
+  for (const plugin::LaterSystem& system : plugin::laterSystems()) {
+    text += std::string(system.name) + "\t" + std::string(system.release) + "\t" +
+            (plugin::isSupported(system.name, available) ? "here" : "missing") + "\n";
+  }
   return print(text) ? kDone : kFailed;
 }
 
@@ -109,6 +121,8 @@ int makePlugin(const std::string& name) {
 Work pluginWork(const PluginOptions& options) {
   const bool makesNew = options.newCommand->parsed();
   if (options.missing && !options.list) throw UsageError("--missing needs --list");
+  if (options.later && !options.list) throw UsageError("--later needs --list");
+  if (options.later && options.missing) throw UsageError("options '--missing' and '--later' can't be used together");
   if (options.file && !options.info) throw UsageError("--plugin needs --info", "pongsim plugin --info --plugin FILE");
   if (int{options.list} + int{options.info.has_value()} + int{makesNew} != 1) {
     throw UsageError(options.list || options.info ? "only one action at a time" : "no action given",
@@ -119,7 +133,7 @@ Work pluginWork(const PluginOptions& options) {
   }
   const std::string named = options.file.value_or(options.info.value_or(""));
   if (options.markdown && !options.info) throw UsageError("--markdown needs --info");
-  if (options.list) return options.missing ? listMissing : listPlugins;
+  if (options.list) return options.missing ? listMissing : options.later ? listLater : listPlugins;
   if (options.info) {
     if (const plugin::CoreSystem* system = plugin::coreSystem(named)) {
       return [system, asMarkdown = options.markdown] { return showPage(*system, asMarkdown); };
@@ -139,7 +153,11 @@ void addPluginCommand(CLI::App& program, Work& work) {
   CLI::App* command = program.add_subcommand("plugin", "List systems, describe one, create a new one");
   command->add_flag("-l,--list", options->list, "Print the available systems: name, class and file")
       ->disable_flag_override();
-  command->add_flag("--missing", options->missing, "With --list: Fortress's systems that pongsim lacks")
+  command->add_flag("--missing", options->missing, "With --list: Gazebo's systems that pongsim lacks")
+      ->disable_flag_override();
+  command
+      ->add_flag("--later", options->later,
+                 "With --list: the systems of Gazebo since Garden, and whether they are here")
       ->disable_flag_override();
   command
       ->add_option_function<std::string>(
