@@ -68,7 +68,8 @@ const Case kWrong[] = {
     {{"run", "--network-role", "primary", "a.sdf"},
      "one process runs the whole world: there is no '--network-role' | leave it out; '--threads' uses more cores, "
      "'--levels' loads only levels near performers"},
-    {{"sdf", "-k", "-i", "a.sdf"}, "--preserve-includes, --degrees and --snap-... need --print"},
+    {{"sdf", "-k", "-i", "a.sdf"},
+     "--preserve-includes, --degrees, --snap-..., --precision and --expand-auto-inertials need --print"},
     {{"sdf", "-p", "--snap-tolerance", "1", "a.sdf"}, "--snap-tolerance needs --snap-to-degrees"},
     {{"sdf", "-p", "--snap-to-degrees", "1", "--snap-tolerance", "1", "a.sdf"},
      "--snap-tolerance must be smaller than --snap-to-degrees"},

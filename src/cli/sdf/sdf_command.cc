@@ -19,6 +19,8 @@
 #include "plugin/world_check.hh"
 #include "pongsim/files/fuel_address.hh"
 #include "sdf/loader.hh"
+#include "sdf/schema/rounding.hh"
+#include "sdf/text/computed_inertia.hh"
 #include "sdf/text/degrees.hh"
 #include "sdf/text/print.hh"
 #include "shared/program/console.hh"
@@ -41,11 +43,13 @@ struct SdfOptions {
   std::optional<std::string> element;
   bool preserveIncludes = false;
   bool degrees = false;
-  std::optional<std::string> snap, tolerance;
+  bool expandsInertia = false;
+  std::optional<std::string> snap, tolerance, precision;
   /// A model file.
   std::optional<std::string> inertia;
 
   bool turnsToDegrees() const { return degrees || snap || tolerance; }
+  bool changesPrint() const { return preserveIncludes || turnsToDegrees() || expandsInertia || precision; }
 };
 
 /// @return The file, also for an address on a Fuel server; nothing, with an error, if the address leads nowhere.
@@ -84,14 +88,29 @@ int check(const SdfOptions& options) {
   return areValid && isPrinted ? kDone : kFailed;
 }
 
-int printResolved(const std::string& file, sdf::IncludeUse use, const std::optional<sdf::DegreeOptions>& degrees) {
+/// How `--print` changes what it prints.
+struct PrintOptions {
+  sdf::IncludeUse includes = sdf::IncludeUse::kReplace;
+  std::optional<sdf::DegreeOptions> degrees;
+  bool expandsInertia = false;
+  /// Significant digits.
+  std::optional<int> precision;
+};
+
+int printResolved(const std::string& file, const PrintOptions& options) {
   Diagnostics diagnostics;
   const auto local = localFile(file, diagnostics);
   std::optional<Element> resolved;
-  if (local) resolved = sdf::resolveFile(*local, diagnostics, assets::finderFromEnvironment(), use);
+  if (local) resolved = sdf::resolveFile(*local, diagnostics, assets::finderFromEnvironment(), options.includes);
   say(diagnostics, Severity::kWarning, Severity::kWarning);
   if (!resolved) return kFailed;
-  if (degrees) sdf::turnToDegrees(*resolved, *degrees);
+  if (options.expandsInertia) {
+    // the messages are those above
+    Diagnostics again;
+    sdf::writeComputedInertia(*resolved, sdf::loadFile(*local, again));
+  }
+  if (options.precision) sdf::roundNumbers(*resolved, *options.precision);
+  if (options.degrees) sdf::turnToDegrees(*resolved, *options.degrees);
   return print(sdf::printDocument(*resolved)) ? kDone : kFailed;
 }
 
@@ -137,10 +156,13 @@ sdf::DegreeOptions degreeOptions(const SdfOptions& options) {
 }
 
 Work printWork(const SdfOptions& options) {
-  const sdf::IncludeUse use = options.preserveIncludes ? sdf::IncludeUse::kPreserve : sdf::IncludeUse::kReplace;
-  std::optional<sdf::DegreeOptions> degrees;
-  if (options.turnsToDegrees()) degrees = degreeOptions(options);
-  return [file = options.files.front(), use, degrees] { return printResolved(file, use, degrees); };
+  PrintOptions print;
+  if (options.preserveIncludes) print.includes = sdf::IncludeUse::kPreserve;
+  if (options.turnsToDegrees()) print.degrees = degreeOptions(options);
+  print.expandsInertia = options.expandsInertia;
+  // a double has at most 17 significant digits
+  if (options.precision) print.precision = static_cast<int>(wholeNumber("--precision", *options.precision, 1, 17));
+  return [file = options.files.front(), print] { return printResolved(file, print); };
 }
 
 Work describeWork(const SdfOptions& options) {
@@ -162,8 +184,9 @@ Work workFor(const SdfOptions& options) {
   if (!options.check && (options.strict || options.json)) {
     throw UsageError("--strict and --json need --check");
   }
-  if (!options.print && (options.preserveIncludes || options.turnsToDegrees())) {
-    throw UsageError("--preserve-includes, --degrees and --snap-... need --print");
+  if (!options.print && options.changesPrint()) {
+    throw UsageError(
+        "--preserve-includes, --degrees, --snap-..., --precision and --expand-auto-inertials need --print");
   }
   if (options.element) return describeWork(options);
   if (options.inertia) {
@@ -219,6 +242,9 @@ void addSdfCommand(CLI::App& program, Work& work) {
   addValue("--snap-to-degrees", "N",
            "Print: rotations in degrees, rounded to multiples of N degrees, 1 to 360, if near one", options->snap);
   addValue("--snap-tolerance", "X", "How near counts, in degrees (0.01)", options->tolerance);
+  addValue("--precision", "N", "Print: numbers with N significant digits, 1 to 17", options->precision);
+  addFlag("--expand-auto-inertials", options->expandsInertia,
+          "Print: with the mass and inertia that <inertial auto='true'> has");
   CLI::Option* offline = addOfflineOption(*command);
   command->footer(
       "Examples:\n"
