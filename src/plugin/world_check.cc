@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "description/model_sensors.hh"
 #include "plugin/core_systems.hh"
 #include "plugin/loader.hh"
 #include "plugin/sensor_plugins.hh"
@@ -28,18 +29,17 @@ class Check {
   }
 
   void addModel(const description::Model& model) {
-    addPlugins(model.plugins);
-    for (const description::Link& link : model.links) addSensors(link.sensors);
-    for (const description::Joint& joint : model.joints) addSensors(joint.sensors);
-    for (const description::Model& nested : model.models) addModel(nested);
+    addPluginsOf(model);
+    description::forEachSensor(model, [this](const description::Sensor& sensor) { sensors_.add(sensor); });
   }
 
   void reportPlugins() { loader_.reportMissing(diagnostics_); }
   void reportSensors() { sensors_.report(diagnostics_); }
 
  private:
-  void addSensors(const std::vector<description::Sensor>& sensors) {
-    for (const description::Sensor& sensor : sensors) sensors_.add(sensor);
+  void addPluginsOf(const description::Model& model) {
+    addPlugins(model.plugins);
+    for (const description::Model& nested : model.models) addPluginsOf(nested);
   }
 
   Diagnostics& diagnostics_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "description/model_sensors.hh"
 #include "plugin/sensor_plugins.hh"
 #include "pongsim/node.hh"
 #include "sim/plugin_elements.hh"
@@ -15,25 +16,17 @@ namespace pongsim::sim {
 
 namespace {
 
-/// Adds the plugins that simulate the sensors of a model and of those nested in it.
-void addSensorPlugins(const description::Model& model, std::vector<description::Plugin>& plugins) {
-  const auto add = [&](const std::vector<description::Sensor>& sensors) {
-    for (const description::Sensor& sensor : sensors) {
-      description::Plugin plugin = plugin::sensorPlugin(sensor.type);
-      if (!plugin.filename.empty() && std::ranges::find(plugins, plugin) == plugins.end())
-        plugins.push_back(std::move(plugin));
-    }
-  };
-  for (const description::Link& link : model.links) add(link.sensors);
-  for (const description::Joint& joint : model.joints) add(joint.sensors);
-  for (const description::Model& nested : model.models) addSensorPlugins(nested, plugins);
-}
-
 /// @return The plugins of a world around these models: those that simulate their sensors, with physics and scene
 /// broadcaster; none if there are no such sensors, which means the default systems of Fortress's server.
 std::vector<description::Plugin> pluginsFor(const std::vector<description::Model>& models) {
   std::vector<description::Plugin> plugins;
-  for (const description::Model& model : models) addSensorPlugins(model, plugins);
+  const auto add = [&](const description::Sensor& sensor) {
+    description::Plugin plugin = plugin::sensorPlugin(sensor.type);
+    if (!plugin.filename.empty() && std::ranges::find(plugins, plugin) == plugins.end()) {
+      plugins.push_back(std::move(plugin));
+    }
+  };
+  for (const description::Model& model : models) description::forEachSensor(model, add);
   if (plugins.empty()) return plugins;
   plugins.insert(plugins.begin(), {plugin::fortressPlugin("physics", "Physics"), defaultSceneBroadcaster()});
   return plugins;
