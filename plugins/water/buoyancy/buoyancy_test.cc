@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -160,6 +161,20 @@ TEST(Buoyancy, LetsAFloatingBallSwingAboutItsWaterline) {
   ASSERT_EQ(crossings.size(), 3U);
   const double period = 2 * kPi * std::sqrt(2 / (3 * kGravity));
   EXPECT_NEAR(crossings[2] - crossings[0], period, 0.01 * period);
+}
+
+// Fortress is half a metre off here: its library's volume of a cut box is wrong
+TEST(Buoyancy, LetsABoxSinkThroughTheSurfaceByWhatIsUnderWater) {
+  RunningWorld world(buoyancy(kSea) + body("m", 1100, "<box><size>1 1 1</size></box>"));
+  double height = 0, velocity = 0;
+  for (int i = 0; i < 4000; ++i) {
+    world.step(1);
+    const double below = std::clamp(0.5 - height, 0.0, 1.0);
+    velocity += 1e-3 * kGravity * ((1000 * below + 1 * (1 - below)) / 1100 - 1);
+    height += 1e-3 * velocity;
+    ASSERT_NEAR(linkOf(world).pose().position.z(), height, 1e-6) << i;
+  }
+  EXPECT_LT(height, -12);
 }
 
 TEST(Buoyancy, IsForTheModelsAndLinksThatAreEnabled) {
