@@ -118,7 +118,7 @@ void Engine::Parts::grow() {
       bodies.push_back(arena.make<Body>(entities, link, gravity, hulls, shared));
     }
     // before bodies are added, because their pairs are filtered then
-    filter.grow(entities.joints().size());
+    filter.grow(entities.links().size(), entities.joints().size());
     for (world::Slot link = firstLink; link < bodies.size(); ++link) take(*bodies[link]);
     addJoints();
     renumberFrom(firstLink, firstJoint);
@@ -154,7 +154,7 @@ void Engine::Parts::shorten(world::Slot links, world::Slot jointCount, std::size
   joints.erase(joints.begin() + static_cast<std::ptrdiff_t>(jointCount), joints.end());
   bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(links), bodies.end());
   renumberFrom(links, jointCount);
-  filter.update(jointCount);
+  filter.update(links, jointCount);
 }
 
 void Engine::Parts::take(Body& body) {
@@ -214,7 +214,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
   world::eraseSlots(bodies, removal.links);
   renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
                removal.joints.empty() ? joints.size() : removal.joints.front());
-  filter.update(joints.size());
+  filter.update(bodies.size(), joints.size());
   std::erase_if(freed, [](const btRigidBody* body) { return body->getBroadphaseHandle() == nullptr; });
   std::ranges::sort(freed, {}, [this](const btRigidBody* body) { return bodyOf(*body).link(); });
   const auto repeated = std::ranges::unique(freed);

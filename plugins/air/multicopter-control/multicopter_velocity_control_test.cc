@@ -209,6 +209,23 @@ TEST(MulticopterVelocityControl, CarriesWhatTheModelHolds) {
   EXPECT_NEAR(velocityOf(world).z(), 0.3, 1e-2);
 }
 
+// The loads would collide if they did not belong to what they are strapped to.
+TEST(MulticopterVelocityControl, CarriesLoadsThatOverlap) {
+  std::string loads;
+  for (const std::string name : {"hook", "box"}) {
+    loads += "<model name='" + name +
+             "'><link name='l'><inertial><mass>0.2</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz>"
+             "</inertia></inertial><collision name='c'><geometry><box><size>0.1 0.1 0.1</size></box></geometry>"
+             "</collision></link></model><joint name='strap_" +
+             name + "' type='fixed'><parent>body</parent><child>" + name + "::l</child></joint>";
+  }
+  RunningWorld world(drone({.motor = kNoDrag, .rest = loads + control()}));
+  command(world, {0.3, 0, 0.2});
+  world.step(5000);
+  EXPECT_NEAR(velocityOf(world).x(), 0.3, 2e-2);
+  EXPECT_NEAR(velocityOf(world).z(), 0.2, 1e-2);
+}
+
 TEST(MulticopterVelocityControl, IgnoresCommandsThatMakeNoSense) {
   RunningWorld world(flying());
   command(world, {0, 0, 0.2});
