@@ -135,20 +135,20 @@ std::optional<Object> Scene::read(const description::Visual& visual, const std::
                        owner + " will not be seen by sensors";
     if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
   };
-  Look look = reader_.look(visual.geometry, warn);
+  RayGeometry geometry = reader_.read(visual.geometry, warn);
   Object object;
-  if (auto* shape = std::get_if<Shape>(&look.body)) {
+  if (auto* shape = std::get_if<Shape>(&geometry.body)) {
     object.body = *shape;
     object.bounds = boundsOf(*shape);
-  } else if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&look.body)) {
+  } else if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&geometry.body)) {
     const Mesh& mesh = meshes_.try_emplace(*triangles, device_.get(), *triangles).first->second;
     object.body = &mesh;
     object.bounds = mesh.bounds();
   } else {
     return std::nullopt;
   }
-  object.X_LinkObject = visual.X_LinkVisual * look.X_GeometryBody;
-  object.scale = look.scale;
+  object.X_LinkObject = visual.X_LinkVisual * geometry.X_GeometryBody;
+  object.scale = geometry.scale;
   object.visibility = visual.visibilityFlags;
   object.retro = std::clamp(visual.laserRetro, 0.0, kMostRetro);
   object.seesInside = visual.material && visual.material->isDoubleSided;

@@ -13,9 +13,9 @@
 #include "pongsim/types.hh"
 #include "sensing/embree.hh"
 #include "sensing/group.hh"
-#include "sensing/look.hh"
 #include "sensing/mesh.hh"
 #include "sensing/object.hh"
+#include "sensing/ray_geometry.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
@@ -58,7 +58,7 @@ class Scene {
   std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics);
 
   DevicePointer device_;
-  LookReader reader_;
+  RayGeometryReader reader_;
   /// One for all visuals with the same triangles.
   std::map<std::shared_ptr<const description::TriangleMesh>, Mesh> meshes_;
   /// Warnings that were given.

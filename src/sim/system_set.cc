@@ -25,7 +25,7 @@ constexpr std::string_view kPhysics = "physics";
 constexpr std::string_view kUserCommands = "user-commands";
 /// Lowest `number` of world systems that come from `<plugin>`s of models and actors; those of the world itself are
 /// below.
-constexpr std::size_t kBrought = 1'000'000;
+constexpr std::size_t kFirstFromModels = 1'000'000;
 
 /// @return " (world.sdf:41:9)"; empty if it is not from a file.
 std::string inBrackets(const SourcePosition& position) {
@@ -173,7 +173,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   const bool isInWorld = holder.model == world::kNoSlot && holder.actor == nullptr;
   if (isOfSensors(*declaration) && !isInWorld) {
     if (hasOfWorld(*declaration)) return;
-    number = kBrought + countBrought();
+    number = kFirstFromModels + countFromModels();
     endsWithReset = holder.model != world::kNoSlot && access_.entities.models()[holder.model].id > lastOfFile_;
   } else if (holder.model != world::kNoSlot) {
     const world::ModelRecord& record = access_.entities.models()[holder.model];
@@ -192,9 +192,9 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
         model, actor, diagnostics);
 }
 
-std::size_t SystemSet::countBrought() const {
+std::size_t SystemSet::countFromModels() const {
   const auto count = std::ranges::count_if(
-      slots_, [](const SystemSlot& slot) { return !slot.isAdded() && slot.number() >= kBrought; });
+      slots_, [](const SystemSlot& slot) { return !slot.isAdded() && slot.number() >= kFirstFromModels; });
   return static_cast<std::size_t>(count);
 }
 

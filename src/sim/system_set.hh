@@ -124,7 +124,7 @@ class SystemSet {
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
   /// @return Number of world systems that came from `<plugin>`s of models and actors.
-  std::size_t countBrought() const;
+  std::size_t countFromModels() const;
   /// @return Whether the world already has such a system.
   bool hasOfWorld(const Declaration& declaration) const;
   /// Warns of plugins that were left out, and of sensors that no system simulates.

@@ -1,4 +1,4 @@
-// Arbitrary bytes as received RTPS messages, each after its length in two bytes. The doorkeeper must end, stay within
+// Arbitrary bytes as received RTPS messages, each after its length in two bytes. The filter must end, stay within
 // the bytes, and change nothing in them but the lease.
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "require.hh"
 #include "shared/rtps/rtps_message.hh"
-#include "transport/udp/doorkeeper.hh"
+#include "transport/udp/rtps_filter.hh"
 
 namespace {
 
@@ -19,16 +19,16 @@ constexpr std::size_t kLeaseBytes = 8;
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using pongsim::transport::Doorkeeper;
-  Doorkeeper doorkeeper({.isDiscovery = [](std::uint32_t port) { return port % 2 == 0; },
-                         .isOpen = [](const pongsim::shared::RtpsAddress&) { return true; }});
-  Doorkeeper::TimePoint now{};
+  using pongsim::transport::RtpsFilter;
+  RtpsFilter filter({.isDiscovery = [](std::uint32_t port) { return port % 2 == 0; },
+                     .isOpen = [](const pongsim::shared::RtpsAddress&) { return true; }});
+  RtpsFilter::TimePoint now{};
   for (std::span<const std::uint8_t> rest(data, size); rest.size() > 2;) {
     const std::size_t length = std::min<std::size_t>(rest[0] + 256U * rest[1], rest.size() - 2);
     // a copy, so that the sanitizer detects reads past its end
     std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
     const std::vector<std::uint8_t> before = message;
-    doorkeeper.admits(message, {0x7f000001, 7410}, Doorkeeper::Side::kLoopback, now);
+    filter.decide(message, {0x7f000001, 7410}, RtpsFilter::Side::kLoopback, now);
     const auto read = pongsim::shared::readRtpsMessage(before);
     std::size_t leases = 0;
     if (read) {

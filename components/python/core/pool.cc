@@ -102,7 +102,7 @@ void Pool::checkActions() const {
 
 shared::Workers& Pool::startedWorkers() {
   if (!workers_) workers_.emplace(static_cast<int>(std::min(threads_, std::max<std::size_t>(count(), 1))), kLooks);
-  if (workers_->count() > 1 && !workers_->areHere()) {
+  if (workers_->count() > 1 && !workers_->areOfThisProcess()) {
     throw std::runtime_error(
         "the threads of these environments did not survive the fork of the process; create the environments in the "
         "process that steps them");

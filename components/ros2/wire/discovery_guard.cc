@@ -34,7 +34,7 @@ void DiscoveryGuard::receive(std::span<std::uint8_t> packet, TimePoint now, cons
   if (std::ranges::any_of(message->discovery, &shared::RtpsDiscovery::isOfParticipant)) turn.lock();
   {
     const std::lock_guard lock(mutex_);
-    if (!leases_.hear(*message, packet, now)) return;
+    if (!leases_.receive(*message, packet, now)) return;
   }
   handOn(packet);
 }
@@ -45,11 +45,11 @@ DiscoveryGuard::TimePoint DiscoveryGuard::end(TimePoint now, const HandOn& handO
   TimePoint next;
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& ending : leases_.endings(now)) {
-      goodbyes.push_back(shared::goodbyeBy(ending.prefix, ++goodbyes_));
-      leases_.removed(ending.prefix);
+    for (const auto& each : leases_.expired(now)) {
+      goodbyes.push_back(shared::goodbyeBy(each.prefix, ++goodbyes_));
+      leases_.removed(each.prefix);
     }
-    next = leases_.nextLook(now);
+    next = leases_.nextCheck(now);
   }
   for (const std::vector<std::uint8_t>& each : goodbyes) handOn(each);
   return next;

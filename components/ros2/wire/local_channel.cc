@@ -52,12 +52,12 @@ void LocalChannel::run() {
 int LocalChannel::endLeases() {
   using std::chrono::steady_clock;
   if (!endsLeases_) return -1;
-  if (const auto now = steady_clock::now(); now >= nextLook_) {
-    nextLook_ = guard_.end(now, [this](std::span<const std::uint8_t> message) {
+  if (const auto now = steady_clock::now(); now >= nextCheck_) {
+    nextCheck_ = guard_.end(now, [this](std::span<const std::uint8_t> message) {
       receiver_.OnDataReceived(message.data(), static_cast<std::uint32_t>(message.size()), at_, at_);
     });
   }
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(nextLook_ - steady_clock::now());
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(nextCheck_ - steady_clock::now());
   return std::max(static_cast<int>(left.count()), 0);
 }
 
@@ -66,7 +66,7 @@ void LocalChannel::drain(const UdpSocket& socket) {
   namespace rtps = eprosima::fastrtps::rtps;
   while (!isOver_) {
     const auto now = std::chrono::steady_clock::now();
-    if (endsLeases_ && now >= nextLook_) return;
+    if (endsLeases_ && now >= nextCheck_) return;
     sockaddr_in sender{};
     socklen_t length = sizeof sender;
     const ssize_t size =

@@ -39,7 +39,7 @@ class LocalChannel {
   DiscoveryGuard& guard_;
   bool endsLeases_;
   /// When leases may end next.
-  DiscoveryGuard::TimePoint nextLook_;
+  DiscoveryGuard::TimePoint nextCheck_;
   std::vector<std::uint8_t> packet_;
   int wake_;
   std::atomic<bool> isOver_ = false;

@@ -14,14 +14,14 @@ using hostile::Packet;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr RtpsPrefix kNeighbour = {1, 15, 7}, kOther = {1, 15, 8};
+constexpr RtpsPrefix kParticipant = {1, 15, 7}, kOther = {1, 15, 8};
 
 /// Leases of 1 to 100 s, whose clock is told.
 class LeasesTest : public testing::Test {
  protected:
   /// @param lease In seconds, and 2^-32 of a second.
-  bool hearAnnouncement(const RtpsPrefix& prefix, std::uint32_t lease, std::uint32_t fraction = 0,
-                        std::int64_t sequence = 1) {
+  bool receiveAnnouncement(const RtpsPrefix& prefix, std::uint32_t lease, std::uint32_t fraction = 0,
+                           std::int64_t sequence = 1) {
     Packet packet(prefix);
     packet.beginData(0, kSpdpWriter, sequence, hostile::kWithData);
     packet.add32(0x00000300);
@@ -32,141 +32,141 @@ class LeasesTest : public testing::Test {
     packet.endParameter();
     packet.addSentinel();
     packet.end();
-    return hear(packet);
+    return receive(packet);
   }
 
-  bool hearGoodbye(const RtpsPrefix& prefix) { return hear(hostile::goodbye(prefix)); }
+  bool receiveGoodbye(const RtpsPrefix& prefix) { return receive(hostile::goodbye(prefix)); }
 
-  /// Something that is no announcement.
-  bool hearWord(const RtpsPrefix& prefix) { return hear(Packet(prefix)); }
+  /// A message without submessages.
+  bool receiveEmpty(const RtpsPrefix& prefix) { return receive(Packet(prefix)); }
 
-  std::optional<Leases::Ending> ending() {
-    const auto endings = leases_.endings(now_);
-    return endings.size() == 1 ? std::optional(endings.front()) : std::nullopt;
+  std::optional<Leases::Expired> expired() {
+    const auto all = leases_.expired(now_);
+    return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
   }
 
-  std::vector<std::uint8_t> heard_;
+  std::vector<std::uint8_t> received_;
   Leases::TimePoint now_ = Leases::TimePoint(std::chrono::hours(1));
   Leases leases_{{seconds(1), seconds(100), seconds(10)}};
 
  private:
-  bool hear(const Packet& packet) {
-    heard_.assign(packet.bytes().begin(), packet.bytes().end());
-    return leases_.hear(*readRtpsMessage(heard_), heard_, now_);
+  bool receive(const Packet& packet) {
+    received_.assign(packet.bytes().begin(), packet.bytes().end());
+    return leases_.receive(*readRtpsMessage(received_), received_, now_);
   }
 };
 
-TEST_F(LeasesTest, AreEndlessForTheLibrary) {
-  for (const std::uint32_t told : {0U, 20U, 0x7fffffffU, 0xffffffffU}) {
-    ASSERT_TRUE(hearAnnouncement(kNeighbour, told));
-    const auto message = readRtpsMessage(heard_);
+TEST_F(LeasesTest, AreInfiniteInWhatIsPassedOn) {
+  for (const std::uint32_t announced : {0U, 20U, 0x7fffffffU, 0xffffffffU}) {
+    ASSERT_TRUE(receiveAnnouncement(kParticipant, announced));
+    const auto message = readRtpsMessage(received_);
     ASSERT_TRUE(message);
     EXPECT_EQ(message->discovery.at(0).lease, seconds(1 << 30));
   }
 }
 
-TEST_F(LeasesTest, EndWhenNothingHasBeenHeardForSoLong) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 5, 1U << 31));
+TEST_F(LeasesTest, EndAfterTheirDurationWithoutAMessage) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 5, 1U << 31));
   now_ += seconds(5);
-  EXPECT_TRUE(hearWord(kNeighbour));
+  EXPECT_TRUE(receiveEmpty(kParticipant));
   now_ += milliseconds(5500);
-  EXPECT_FALSE(ending());
-  EXPECT_TRUE(leases_.runs(kNeighbour));
+  EXPECT_FALSE(expired());
+  EXPECT_TRUE(leases_.runs(kParticipant));
   now_ += milliseconds(1);
-  const auto told = ending();
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->prefix, kNeighbour);
-  EXPECT_TRUE(leases_.hasEnded(kNeighbour));
+  const auto end = expired();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->prefix, kParticipant);
+  EXPECT_TRUE(leases_.hasEnded(kParticipant));
 }
 
-TEST_F(LeasesTest, AreWithinBounds) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 0));
-  ASSERT_TRUE(hearAnnouncement(kOther, 0xffffffff));
+TEST_F(LeasesTest, AreClampedToBounds) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 0));
+  ASSERT_TRUE(receiveAnnouncement(kOther, 0xffffffff));
   now_ += milliseconds(999);
-  EXPECT_TRUE(leases_.endings(now_).empty());
+  EXPECT_TRUE(leases_.expired(now_).empty());
   now_ += milliseconds(2);
-  EXPECT_EQ(ending()->prefix, kNeighbour);
-  leases_.removed(kNeighbour);
+  EXPECT_EQ(expired()->prefix, kParticipant);
+  leases_.removed(kParticipant);
   now_ += seconds(98);
-  EXPECT_FALSE(ending());
+  EXPECT_FALSE(expired());
   now_ += seconds(2);
-  EXPECT_EQ(ending()->prefix, kOther);
+  EXPECT_EQ(expired()->prefix, kOther);
 }
 
-TEST_F(LeasesTest, AreToldToHaveEndedUntilTheLibraryKnows) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1, 0, 40));
+TEST_F(LeasesTest, AreReportedEachSecondUntilTheParticipantIsRemoved) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1, 0, 40));
   now_ += seconds(2);
-  EXPECT_EQ(ending()->sequence, 41);
-  EXPECT_FALSE(ending()) << "at once again";
+  EXPECT_EQ(expired()->sequence, 41);
+  EXPECT_FALSE(expired()) << "not again at once";
   now_ += seconds(1);
-  EXPECT_EQ(ending()->sequence, 42) << "newer than what has been seen";
-  leases_.removed(kNeighbour);
+  EXPECT_EQ(expired()->sequence, 42) << "higher than before";
+  leases_.removed(kParticipant);
   now_ += seconds(1);
-  EXPECT_FALSE(ending());
+  EXPECT_FALSE(expired());
 }
 
-TEST_F(LeasesTest, AreToldSomeTimesWhereTheLibraryNeverKnew) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
+TEST_F(LeasesTest, AreReportedFiveTimesIfTheParticipantIsNeverRemoved) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1));
   int times = 0;
   for (int i = 0; i < 20; ++i) {
     now_ += seconds(2);
-    times += ending() ? 1 : 0;
+    times += expired() ? 1 : 0;
   }
   EXPECT_EQ(times, 5);
   EXPECT_EQ(leases_.size(), 0);
 }
 
-TEST_F(LeasesTest, LetNothingByThatComesTooLate) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
+TEST_F(LeasesTest, StopMessagesThatArriveAfterTheEnd) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1));
   now_ += seconds(2);
-  EXPECT_FALSE(hearWord(kNeighbour)) << "before its end is told";
-  EXPECT_TRUE(ending());
+  EXPECT_FALSE(receiveEmpty(kParticipant)) << "before its end is reported";
+  EXPECT_TRUE(expired());
 }
 
-TEST_F(LeasesTest, LetNothingByThatCouldMeetTheEnd) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
+TEST_F(LeasesTest, StopMessagesUntilTheParticipantIsRemoved) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1));
   now_ += seconds(2);
-  ASSERT_TRUE(ending());
-  EXPECT_FALSE(hearGoodbye(kNeighbour));
-  EXPECT_FALSE(hearAnnouncement(kNeighbour, 1));
-  leases_.removed(kNeighbour);
-  EXPECT_TRUE(hearAnnouncement(kNeighbour, 1)) << "it was stopped, and is back";
-  EXPECT_TRUE(leases_.runs(kNeighbour));
+  ASSERT_TRUE(expired());
+  EXPECT_FALSE(receiveGoodbye(kParticipant));
+  EXPECT_FALSE(receiveAnnouncement(kParticipant, 1));
+  leases_.removed(kParticipant);
+  EXPECT_TRUE(receiveAnnouncement(kParticipant, 1)) << "it was stopped, and has continued";
+  EXPECT_TRUE(leases_.runs(kParticipant));
 }
 
-TEST_F(LeasesTest, DoNotEndWhileAGoodbyeIsOnItsWay) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
-  EXPECT_TRUE(hearGoodbye(kNeighbour));
+TEST_F(LeasesTest, LeaveTimeToRemoveAParticipantThatHasAnnouncedItsEnd) {
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1));
+  EXPECT_TRUE(receiveGoodbye(kParticipant));
   now_ += seconds(9);
-  EXPECT_FALSE(ending());
+  EXPECT_FALSE(expired());
   now_ += seconds(2);
-  EXPECT_TRUE(ending()) << "the library does not heed it";
+  EXPECT_TRUE(expired()) << "it has not been removed";
 }
 
-TEST_F(LeasesTest, AreThereForWhomTheLibraryKnows) {
-  leases_.discovered(kNeighbour, now_);
+TEST_F(LeasesTest, AreTheLongestForAParticipantThatOnlyDdsHasDiscovered) {
+  leases_.discovered(kParticipant, now_);
   now_ += seconds(99);
-  EXPECT_FALSE(ending());
+  EXPECT_FALSE(expired());
   now_ += seconds(2);
-  EXPECT_TRUE(ending());
+  EXPECT_TRUE(expired());
 }
 
 TEST_F(LeasesTest, CanBeEnded) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 100));
-  leases_.end(kNeighbour);
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 100));
+  leases_.end(kParticipant);
   leases_.end(kOther);
-  EXPECT_FALSE(leases_.runs(kNeighbour));
-  EXPECT_EQ(ending()->prefix, kNeighbour);
+  EXPECT_FALSE(leases_.runs(kParticipant));
+  EXPECT_EQ(expired()->prefix, kParticipant);
 }
 
-TEST_F(LeasesTest, AreLookedAtWhenOneMayEndAndEverySecond) {
-  EXPECT_EQ(leases_.nextLook(now_), now_ + seconds(1));
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1, 1U << 30));
+TEST_F(LeasesTest, AreCheckedWhenTheNextMayEndAndEverySecond) {
+  EXPECT_EQ(leases_.nextCheck(now_), now_ + seconds(1));
+  ASSERT_TRUE(receiveAnnouncement(kParticipant, 1, 1U << 30));
   now_ += seconds(1);
-  const auto next = leases_.nextLook(now_);
+  const auto next = leases_.nextCheck(now_);
   EXPECT_EQ(next, now_ + milliseconds(250) + std::chrono::nanoseconds(1));
   now_ = next;
-  EXPECT_TRUE(ending());
+  EXPECT_TRUE(expired());
 }
 
 }  // namespace

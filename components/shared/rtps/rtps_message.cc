@@ -13,10 +13,11 @@ namespace {
 
 constexpr std::size_t kEncapsulation = 4;
 constexpr RtpsEntity kParticipant = 0x000001c1;
-// The flag of a submessage that is little-endian.
+// Flag E of a submessage: little-endian.
 constexpr std::uint8_t kLittle = 1;
 constexpr std::uint64_t kMostInSet = 256;
-// Far more than anybody has ever sent. Fast DDS 2.9 ends the process where a number is the last one that there is.
+// Largest accepted sequence number, far above what is sent in practice. At the largest representable one, an assertion
+// of Fast DDS 2.9 ends the process.
 constexpr std::uint64_t kLastNumber = std::uint64_t(1) << 48;
 
 namespace submessage {
@@ -30,10 +31,11 @@ constexpr std::uint16_t kSentinel = 0x01, kLease = 0x02, kDefaultUnicast = 0x31,
                         kStatus = 0x71;
 }  // namespace parameter
 
-/// Takes numbers off the beginning of some bytes. What is not there reads as 0 and spoils the reading.
-class Reading {
+/// Reads numbers from the beginning of a range of bytes. Beyond its end it reads 0, and `isGood` becomes false.
+class ByteReader {
  public:
-  Reading(std::span<const std::uint8_t> bytes, bool isLittleEndian) : rest_(bytes), isLittleEndian_(isLittleEndian) {}
+  ByteReader(std::span<const std::uint8_t> bytes, bool isLittleEndian)
+      : rest_(bytes), isLittleEndian_(isLittleEndian) {}
 
   bool isGood() const { return isGood_; }
   std::span<const std::uint8_t> rest() const { return rest_; }
@@ -71,10 +73,10 @@ std::optional<RtpsPrefix> prefixIn(std::span<const std::uint8_t> value) {
   return prefix;
 }
 
-/// A message as it is written, little-endian.
-class Writing {
+/// Builds a message, little-endian.
+class MessageWriter {
  public:
-  explicit Writing(const RtpsPrefix& source) : bytes_{'R', 'T', 'P', 'S', 2, 3, 1, 0x0f} { add(source); }
+  explicit MessageWriter(const RtpsPrefix& source) : bytes_{'R', 'T', 'P', 'S', 2, 3, 1, 0x0f} { add(source); }
 
   void add(std::initializer_list<std::uint8_t> more) { bytes_.insert(bytes_.end(), more); }
   void add(const RtpsPrefix& prefix) { bytes_.insert(bytes_.end(), prefix.begin(), prefix.end()); }
@@ -96,18 +98,19 @@ class Writing {
 
 constexpr std::size_t kGuidSize = 16;
 
-/// Reads whose the sample is.
-/// @return Whether the GUID is one, and contradicts no other: Fast DDS takes one here and the other there.
+/// Reads the GUID of the sample's participant or endpoint.
+/// @return Whether it is valid and equal to the sample's other GUIDs. Fast DDS would use different ones for different
+/// purposes.
 bool readGuid(std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
   if (value.size() != kGuidSize) return false;
   const auto prefix = prefixIn(value);
   if (sample.prefix && sample.prefix != prefix) return false;
   sample.prefix = prefix;
-  // of another entity it would be known by this name
-  return !sample.isOfParticipant() || Reading(value.subspan(prefix->size()), true).entity() == kParticipant;
+  // Fast DDS would store a participant under the GUID of another entity
+  return !sample.isOfParticipant() || ByteReader(value.subspan(prefix->size()), true).entity() == kParticipant;
 }
 
-bool readAddress(Reading value, bool isForDiscovery, RtpsDiscovery& sample) {
+bool readAddress(ByteReader value, bool isForDiscovery, RtpsDiscovery& sample) {
   constexpr std::uint32_t kUdpV4 = 1;
   const bool isUdp = value.number(4) == kUdpV4;
   const auto port = static_cast<std::uint32_t>(value.number(4));
@@ -119,7 +122,7 @@ bool readAddress(Reading value, bool isForDiscovery, RtpsDiscovery& sample) {
   return true;
 }
 
-bool readLease(Reading value, std::size_t at, RtpsDiscovery& sample) {
+bool readLease(ByteReader value, std::size_t at, RtpsDiscovery& sample) {
   const std::chrono::seconds seconds(value.number(4));
   const std::uint64_t fraction = value.number(4);
   if (!value.isGood() || !value.rest().empty()) return false;
@@ -128,12 +131,12 @@ bool readLease(Reading value, std::size_t at, RtpsDiscovery& sample) {
   return true;
 }
 
-/// Reads a parameter of what describes a participant or an endpoint.
-/// @param whole The message that it is in.
+/// Reads a parameter of the description of a participant or an endpoint.
+/// @param whole The message that contains it.
 bool readParameter(std::uint64_t id, std::span<const std::uint8_t> value, std::span<const std::uint8_t> whole,
                    RtpsDiscovery& sample) {
-  constexpr std::uint64_t kAnnouncer = 1;
-  Reading reading(value, sample.isLittleEndian);
+  constexpr std::uint64_t kParticipantAnnouncer = 1;
+  ByteReader reading(value, sample.isLittleEndian);
   switch (id) {
     case parameter::kParticipantGuid:
     case parameter::kKeyHash:
@@ -146,14 +149,14 @@ bool readParameter(std::uint64_t id, std::span<const std::uint8_t> value, std::s
     case parameter::kMetatrafficUnicast:
       return readAddress(reading, id == parameter::kMetatrafficUnicast, sample);
     case parameter::kEndpoints:
-      sample.announcesItself = value.size() == 4 && (reading.number(4) & kAnnouncer) != 0;
+      sample.announcesItself = value.size() == 4 && (reading.number(4) & kParticipantAnnouncer) != 0;
       return sample.announcesItself || !sample.isOfParticipant();
     default:
       return true;
   }
 }
 
-/// Reads a parameter that precedes what describes it (RTPS 2.3, 9.6.3): whose it is, and whether it has gone.
+/// Reads a parameter of the inline QoS (RTPS 2.3, 9.6.3): the GUID (key hash), and whether it is removed (status).
 bool readInlineParameter(std::uint64_t id, std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
   constexpr std::uint8_t kDisposedOrUnregistered = 3;
   if (id == parameter::kKeyHash) return readGuid(value, sample);
@@ -163,53 +166,52 @@ bool readInlineParameter(std::uint64_t id, std::span<const std::uint8_t> value, 
   return true;
 }
 
-/// Reads a list of parameters up to its end.
-/// @param take Called with the id and the value of each; returns whether it is as it should be.
+/// Reads a list of parameters up to its sentinel.
+/// @param take Called with the id and value of each; returns whether they are valid.
 template <class Take>
-bool readParameters(Reading& list, const Take& take) {
+bool readParameters(ByteReader& list, const Take& take) {
   while (true) {
     const std::uint64_t id = list.number(2);
     const std::uint64_t length = list.number(2);
     if (id == parameter::kSentinel) return list.isGood();
     const auto value = list.take(length);
-    // the next one is at a multiple of four
+    // padded to a multiple of four
     list.take((4 - length % 4) % 4);
     if (!list.isGood() || !take(id, value)) return false;
   }
 }
 
-/// @return The reader of a writer of discovery.
+/// @return The reader that belongs to a discovery writer.
 constexpr RtpsEntity readerOf(RtpsEntity writer) { return (writer & ~RtpsEntity(0xff)) | 0xc7; }
 
 bool isDiscovery(RtpsEntity writer) {
   return writer == kSpdpWriter || writer == kPublicationsWriter || writer == kSubscriptionsWriter;
 }
 
-/// Reads what describes a participant or an endpoint, or its key.
-bool readDescription(Reading body, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
+/// Reads the payload of discovery data: the description of a participant or an endpoint, or its key.
+bool readDescription(ByteReader body, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
   constexpr std::uint8_t kBigList = 2, kLittleList = 3;
   const auto kind = body.take(kEncapsulation);
   if (!body.isGood() || kind[0] != 0 || (kind[1] != kBigList && kind[1] != kLittleList)) return false;
   sample.isLittleEndian = kind[1] == kLittleList;
-  Reading list(body.rest(), sample.isLittleEndian);
+  ByteReader list(body.rest(), sample.isLittleEndian);
   return readParameters(list,
                         [&](std::uint64_t id, const auto& value) { return readParameter(id, value, whole, sample); });
 }
 
-/// Reads DATA of discovery behind its sequence number.
-bool readDiscovery(Reading body, std::uint8_t flags, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
+/// Reads discovery DATA after its sequence number.
+bool readDiscovery(ByteReader body, std::uint8_t flags, std::span<const std::uint8_t> whole, RtpsDiscovery& sample) {
   constexpr std::uint8_t kInlineQos = 2, kWithData = 4, kWithKey = 8;
   const auto take = [&](std::uint64_t id, const auto& value) { return readInlineParameter(id, value, sample); };
   if ((flags & kInlineQos) != 0 && !readParameters(body, take)) return false;
   const bool isWithData = (flags & kWithData) != 0, isWithKey = (flags & kWithKey) != 0;
   sample.isAlive = isWithData && !sample.isGone;
-  // Fast DDS takes so short a key for whose the sample is, whatever the list says
+  // Fast DDS reads a key of at most this size as the GUID
   if (isWithKey && body.rest().size() <= kGuidSize) return !isWithData && readGuid(body.rest(), sample);
   return (!isWithData && !isWithKey) || readDescription(body, whole, sample);
 }
 
-/// Reads DATA.
-bool readData(Reading body, const Submessage& data, const RtpsPrefix& sender, std::span<const std::uint8_t> whole,
+bool readData(ByteReader body, const Submessage& data, const RtpsPrefix& sender, std::span<const std::uint8_t> whole,
               RtpsMessage& message) {
   constexpr std::uint64_t kUpToInlineQos = 16;
   body.take(2);
@@ -228,7 +230,7 @@ bool readData(Reading body, const Submessage& data, const RtpsPrefix& sender, st
   sample.sender = sender;
   sample.isLittleEndian = data.isLittleEndian();
   sample.bytes = body.rest().size();
-  // no version of the protocol has parameters of its own before the list
+  // no version of the protocol has further fields before the inline QoS
   if (!isGood || toInlineQos != kUpToInlineQos || !readDiscovery(body, data.flags, whole, sample)) {
     message.hasUnreadParticipant |= writer == kSpdpWriter;
     return false;
@@ -237,7 +239,7 @@ bool readData(Reading body, const Submessage& data, const RtpsPrefix& sender, st
   return true;
 }
 
-bool readDataFrag(Reading body, RtpsMessage& message) {
+bool readDataFrag(ByteReader body, RtpsMessage& message) {
   body.take(8);
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
@@ -251,7 +253,7 @@ bool readDataFrag(Reading body, RtpsMessage& message) {
   return first > 0 && count > 0 && size > 0 && (first + count - 2) * size < whole;
 }
 
-bool readHeartbeat(Reading body, RtpsMessage& message) {
+bool readHeartbeat(ByteReader body, RtpsMessage& message) {
   body.take(4);
   const RtpsEntity writer = body.entity();
   const std::uint64_t first = body.sequence();
@@ -261,11 +263,11 @@ bool readHeartbeat(Reading body, RtpsMessage& message) {
   } else {
     ++message.others;
   }
-  // without samples the last is the one before the first
+  // of an empty history, the last number is that before the first
   return body.isGood() && first > 0 && first <= kLastNumber && last <= kLastNumber && last + 1 >= first;
 }
 
-bool readGap(Reading body, RtpsMessage& message) {
+bool readGap(ByteReader body, RtpsMessage& message) {
   body.take(8);
   const std::uint64_t first = body.sequence();
   const std::uint64_t base = body.sequence();
@@ -275,8 +277,8 @@ bool readGap(Reading body, RtpsMessage& message) {
   return true;
 }
 
-/// Reads ACKNACK or, of fragments, NACK_FRAG.
-bool readAcknowledgement(Reading body, bool isFragments, RtpsMessage& message) {
+/// Reads ACKNACK, or NACK_FRAG if `isFragments`.
+bool readAcknowledgement(ByteReader body, bool isFragments, RtpsMessage& message) {
   constexpr std::uint64_t kLastCount = 0x7fff'ffff;
   const RtpsEntity reader = body.entity();
   const RtpsEntity writer = body.entity();
@@ -299,11 +301,11 @@ bool isAboutMessage(std::uint8_t kind) {
          kind >= submessage::kFirstOfVendors;
 }
 
-/// @param sender Whose it is; INFO_SRC changes it.
-/// @return Whether it is proper.
+/// @param sender The participant that sends it; INFO_SRC changes it.
+/// @return Whether it is proper (`RtpsMessage::isProper`).
 bool readSubmessage(const Submessage& part, RtpsPrefix& sender, std::span<const std::uint8_t> whole,
                     RtpsMessage& message) {
-  Reading body(part.content, part.isLittleEndian());
+  ByteReader body(part.content, part.isLittleEndian());
   if (part.kind != submessage::kData && part.kind != submessage::kHeartbeat && !isAboutMessage(part.kind)) {
     ++message.others;
   }
@@ -343,7 +345,7 @@ std::optional<RtpsMessage> readAnyRtpsMessage(std::span<const std::uint8_t> byte
   RtpsPrefix sender = message.source;
   Submessages parts(bytes);
   while (const auto part = parts.next()) {
-    // Fast DDS ends here, too
+    // as Fast DDS, which ignores the rest
     if (part->kind == submessage::kInfoSrc && part->content.size() != kInfoSourceSize) {
       message.isProper = false;
       break;
@@ -362,8 +364,8 @@ std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes) 
 
 std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant, std::uint64_t sequence) {
   constexpr std::uint8_t kWithData = 4;
-  Writing message(participant);
-  // without a length, for it is the last one
+  MessageWriter message(participant);
+  // length 0: to the end of the message
   message.add({submessage::kData, kLittle | kWithData, 0, 0, 0, 0, 16, 0});
   message.addEntity(readerOf(kSpdpWriter));
   message.addEntity(kSpdpWriter);
@@ -381,8 +383,8 @@ std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant
 
 std::vector<std::uint8_t> goodbyeBy(const RtpsPrefix& participant, std::uint64_t number) {
   constexpr std::uint8_t kInlineQos = 2, kDisposedAndUnregistered = 3;
-  Writing message(participant);
-  // without a length, for it is the last one
+  MessageWriter message(participant);
+  // length 0: to the end of the message
   message.add({submessage::kData, kLittle | kInlineQos, 0, 0, 0, 0, 16, 0});
   message.addEntity(readerOf(kSpdpWriter));
   message.addEntity(kSpdpWriter);
@@ -398,7 +400,7 @@ std::vector<std::uint8_t> goodbyeBy(const RtpsPrefix& participant, std::uint64_t
 std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
                                             std::span<const RtpsAcknowledgement> acknowledgements) {
   constexpr std::uint8_t kFinal = 2, kLength = 24;
-  Writing message(participant);
+  MessageWriter message(participant);
   for (const RtpsAcknowledgement& each : acknowledgements) {
     message.add({submessage::kAckNack, kLittle | kFinal, kLength, 0});
     message.addEntity(readerOf(each.writer));

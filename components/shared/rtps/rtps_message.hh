@@ -25,104 +25,105 @@ struct RtpsAddress {
   auto operator<=>(const RtpsAddress&) const = default;
 };
 
-/// A sample of discovery: that a participant or an endpoint is there, or has gone.
+/// A sample of discovery data: a participant or an endpoint exists, or has been removed.
 struct RtpsDiscovery {
   RtpsEntity writer = 0;
   std::uint64_t sequence = 0;
   std::size_t bytes = 0;
-  /// Whose submessage it is.
+  /// The participant that sends it.
   RtpsPrefix sender{};
-  /// Whether it describes what is there.
+  /// Whether it describes an existing one.
   bool isAlive = false;
-  /// Whether it says that something has gone (its status is disposed or unregistered). If neither, it says nothing.
+  /// Whether it announces a removal (its status is disposed or unregistered). If neither is true, it has no content.
   bool isGone = false;
-  /// Of the participant, or of the participant whose endpoint it is; unset if the sample does not say.
+  /// Of the participant, or of the participant that has the endpoint; unset if the sample does not contain it.
   std::optional<RtpsPrefix> prefix;
-  /// Where the participant listens for others, and all its addresses.
+  /// The participant's addresses for discovery data, and all its addresses.
   std::vector<RtpsAddress> discoveryAddresses, addresses;
-  /// How long the participant may be silent; a negative duration is read as an unsigned one. Of several, the last.
+  /// Lease duration; a negative one is read as unsigned. Of several, the last.
   std::optional<std::chrono::nanoseconds> lease;
-  /// Where in the message the leases are: 4 bytes of seconds, then 4 of their fraction.
+  /// Offsets of the leases in the message: 4 bytes of seconds, then 4 of their fraction.
   std::vector<std::size_t> leasesAt;
-  /// The byte order of what describes it.
+  /// Byte order of the description.
   bool isLittleEndian = true;
-  /// Whether its endpoints include the writer of participants, without which Fast DDS hears no goodbye of it.
+  /// Whether its endpoints include the writer of participants (SPDP). Without it Fast DDS ignores its end.
   bool announcesItself = false;
 
-  /// @return Whether it is of a participant, rather than of an endpoint.
+  /// @return Whether it is about a participant, and not about an endpoint.
   bool isOfParticipant() const { return writer == kSpdpWriter; }
-  /// @return Whose it is: who sent it if it does not say.
+  /// @return The participant that it is about; the sender if it does not contain one.
   const RtpsPrefix& participant() const { return prefix ? *prefix : sender; }
 };
 
-/// A heartbeat of one of discovery's writers.
+/// A heartbeat of a discovery writer.
 struct RtpsHeartbeat {
   RtpsEntity writer = 0;
   /// The sequence number of its last sample.
   std::uint64_t last = 0;
 };
 
-/// What the reader of one of discovery's writers has received.
+/// An ACKNACK of the reader that belongs to a discovery writer.
 struct RtpsAcknowledgement {
   RtpsEntity writer = 0;
-  /// Sequence numbers below this one.
+  /// All sequence numbers below this one have been received.
   std::uint64_t below = 0;
-  /// Increases from one to the next of the same reader.
+  /// Increases with each ACKNACK of the same reader.
   std::uint32_t count = 0;
 
   bool operator==(const RtpsAcknowledgement&) const = default;
 };
 
-/// What an RTPS message (RTPS 2.3, 8.3 and 9.4) demands of its receiver.
+/// The parts of an RTPS message (RTPS 2.3, 8.3 and 9.4) that change the receiver's state or cost it memory and time.
 struct RtpsMessage {
   RtpsPrefix source{};
-  /// Other participants in whose names it goes on: those of one process by Cyclone DDS may share a message.
+  /// Further participants in INFO_SRC submessages: those of one process of Cyclone DDS may share a message.
   std::vector<RtpsPrefix> otherSources;
   std::vector<RtpsDiscovery> discovery;
-  /// Whether it has a sample of a participant that could not be read: in fragments, or malformed.
+  /// Whether it contains a participant's sample that could not be read: fragmented or malformed.
   bool hasUnreadParticipant = false;
-  /// Whether its lengths are right, and it has nothing that Fast DDS and pongsim never send: other sources, discovery
-  /// in fragments, fragments behind the end of their sample, a set of more than 256 numbers, a gap that ends before it
-  /// begins, a sequence number beyond 2^48, a negative count of acknowledgements.
+  /// Whether its lengths are valid, and it contains nothing that Fast DDS and pongsim never send: other sources,
+  /// fragmented discovery data, fragments beyond the end of their sample, sets of more than 256 numbers, gaps that end
+  /// before they begin, sequence numbers above 2^48, a negative count of an ACKNACK.
   bool isProper = true;
-  /// Sequence numbers that it declares to be gaps.
+  /// Number of sequence numbers in its GAP submessages.
   std::uint64_t gapNumbers = 0;
-  /// Submessages that request samples again.
+  /// Number of submessages that request samples again.
   std::size_t repeatRequests = 0;
-  /// The largest sample of which it has a fragment [bytes].
+  /// Size of the largest sample of which it contains a fragment [bytes].
   std::uint64_t largestFragmented = 0;
-  /// Submessages that are neither discovery, nor a heartbeat of it, nor about the message itself.
+  /// Number of submessages that are neither discovery data, nor heartbeats of discovery writers, nor INFO_*.
   std::size_t others = 0;
   std::vector<RtpsHeartbeat> heartbeats;
   std::vector<RtpsAcknowledgement> acknowledgements;
-  /// Whether it is for one participant.
+  /// Whether it has one destination participant (INFO_DST).
   bool isAddressed = false;
 
-  /// @return Whether its participant announces itself, and the message contains nothing else.
+  /// @return Whether it is the announcement of its sender, and nothing else.
   bool isAnnouncement() const {
     return discovery.size() == 1 && discovery.front().isOfParticipant() && discovery.front().isAlive &&
            discovery.front().prefix == source && others == 0 && heartbeats.empty();
   }
 
-  /// @return Whether it is heartbeats of discovery for all participants, and contains nothing else.
+  /// @return Whether it consists of heartbeats of discovery writers to all participants.
   bool isHeartbeatToAll() const { return !heartbeats.empty() && !isAddressed && discovery.empty() && others == 0; }
 };
 
-/// @return What could be read; nothing if the bytes are no RTPS message.
+/// @return The parts that could be read; nothing if the bytes are no RTPS message.
 std::optional<RtpsMessage> readAnyRtpsMessage(std::span<const std::uint8_t> bytes);
 
 /// @return The message; nothing if it is not proper (`RtpsMessage::isProper`).
 std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes);
 
 /// @param sequence Of the sample.
-/// @return A message in which a participant announces a lease of no time, and else nothing of itself.
+/// @return An announcement in the participant's name that contains only a lease of zero.
 std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant, std::uint64_t sequence);
 
-/// @param number Must be higher each time: Fast DDS drops what is not newer.
-/// @return A message in which a participant says goodbye. It is newer than all that `readAnyRtpsMessage` can read.
+/// @param number Must be higher with each call, because Fast DDS drops samples that are not newer.
+/// @return A message that announces the participant's end in its name. Its sequence number is above all that
+/// `readAnyRtpsMessage` accepts.
 std::vector<std::uint8_t> goodbyeBy(const RtpsPrefix& participant, std::uint64_t number);
 
-/// @return A message in which a participant acknowledges samples of discovery, and asks for none.
+/// @return A message with ACKNACKs in the participant's name that request nothing.
 std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
                                             std::span<const RtpsAcknowledgement> acknowledgements);
 

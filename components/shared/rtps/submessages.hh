@@ -10,25 +10,25 @@ namespace pongsim::shared {
 /// A part of an RTPS message (RTPS 2.3, 9.4.5).
 struct Submessage {
   std::uint8_t kind = 0, flags = 0;
-  /// What follows its header, in the message.
+  /// The bytes after its header, a view into the message.
   std::span<const std::uint8_t> content;
 
   bool isLittleEndian() const { return (flags & 1) != 0; }
 };
 
-/// The submessages of an RTPS message, one after the other, as Fast DDS divides it.
+/// Reads the submessages of an RTPS message in order, with the boundaries that Fast DDS finds.
 class Submessages {
  public:
-  /// Its header's size (RTPS 2.3, 9.4.1).
+  /// Size of the message header (RTPS 2.3, 9.4.1).
   static constexpr std::size_t kMessageHeader = 20;
 
-  /// @param packet Any bytes. Those that are no RTPS message have no submessages.
+  /// @param packet Any bytes; without an RTPS header there are no submessages.
   explicit Submessages(std::span<const std::uint8_t> packet);
 
-  /// @return Nothing at the end, and where one is longer than the message.
+  /// @return The next one; nothing at the end, and if the next one exceeds the message.
   std::optional<Submessage> next();
 
-  /// @return Whether the last one was longer than the message.
+  /// @return Whether the last one exceeded the message.
   bool isCutOff() const { return isCutOff_; }
 
  private:
@@ -36,7 +36,7 @@ class Submessages {
   bool isCutOff_ = false;
 };
 
-/// @return Whether the bytes begin as an RTPS message does, and are long enough for its header.
+/// @return Whether the bytes begin with the header of an RTPS message.
 bool isRtpsMessage(std::span<const std::uint8_t> packet);
 
 }  // namespace pongsim::shared

@@ -6,8 +6,8 @@
 
 namespace pongsim::shared {
 
-/// @param bytes 8 at most, of std::byte or std::uint8_t.
-/// @return The unsigned number that all of them are.
+/// @param bytes At most 8, of std::byte or std::uint8_t.
+/// @return The unsigned number that they encode.
 template <class Byte>
 std::uint64_t readNumber(std::span<const Byte> bytes, bool isLittleEndian = true) {
   std::uint64_t number = 0;
@@ -17,7 +17,7 @@ std::uint64_t readNumber(std::span<const Byte> bytes, bool isLittleEndian = true
   return number;
 }
 
-/// Writes the lowest bytes of a number, as many as `place` has, which are 8 at most.
+/// Writes the lowest bytes of a number, one for each byte of `place`, at most 8.
 template <class Byte>
 void writeNumber(std::uint64_t number, std::span<Byte> place, bool isLittleEndian = true) {
   for (std::size_t i = 0; i < place.size(); ++i) {

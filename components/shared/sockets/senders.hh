@@ -7,8 +7,8 @@
 
 namespace pongsim::shared {
 
-/// Who may send to a socket. What others send, the kernel drops before anything of it is read. Addresses are of IPv4,
-/// in the network's byte order.
+/// The senders from which a socket receives; the kernel drops the packets of all others. IPv4 addresses in network byte
+/// order.
 struct Senders {
   /// The most addresses that a filter of the kernel can compare with.
   static constexpr std::size_t kMostAddresses = 200;

@@ -11,14 +11,14 @@ namespace pongsim::shared {
 
 namespace {
 
-// Buffers beyond this much are not kept for later.
+// Maximum total capacity of the buffers that are kept for reuse.
 constexpr std::size_t kSpareBytes = 32 << 20;
 
-// That of the smallest buffers.
+// Capacity of the smallest buffers.
 constexpr std::size_t kSmallestCapacity = 256;
 
-// From this capacity on a buffer has pages of its own, which the system gets back. In the heap, where it would lie
-// between what stays, they would not return.
+// Buffers of at least this capacity are mapped separately (mmap), so that freeing one returns its memory to the system.
+// Freed blocks between used ones of the heap stay with the process.
 constexpr std::size_t kOwnPages = 8192;
 
 std::size_t capacityFor(std::size_t size) { return std::bit_ceil(std::max(size, kSmallestCapacity)); }
@@ -86,7 +86,7 @@ void BufferPool::beginPeriod() {
   }
 }
 
-/// One at a time, so that nobody has to wait while a thousand are freed.
+/// One at a time, because freeing a thousand at once would delay the caller.
 void BufferPool::freeOne() {
   Spare& spare = *std::ranges::find_if(spare_, [](const Spare& each) { return each.surplus > 0; });
   --spare.surplus;

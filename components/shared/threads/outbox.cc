@@ -10,7 +10,7 @@ namespace pongsim::shared {
 
 namespace {
 
-// So many places of taken samples are used again at once, rather than each by moving all others.
+// Taken samples are erased from the front of `waiting_` in batches of this size, because each erasure moves all others.
 constexpr std::size_t kMostTaken = 10'000;
 
 }  // namespace
@@ -99,7 +99,7 @@ void Outbox::flush(Target& target) {
 }
 
 void Outbox::run() {
-  const GivesWay givesWay;
+  const BatchScheduling scheduling;
   std::unique_lock lock(mutex_);
   while (true) {
     added_.wait(lock, [this] { return isOver_ || waiting_.size() > first_; });

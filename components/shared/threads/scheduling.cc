@@ -6,15 +6,15 @@ namespace pongsim::shared {
 
 namespace {
 
-// Both policies know no priority but 0.
+// The only priority that these policies allow.
 constexpr sched_param kNoPriority{};
 
 }  // namespace
 
-GivesWay::GivesWay()
+BatchScheduling::BatchScheduling()
     : hasChanged_(sched_getscheduler(0) == SCHED_OTHER && sched_setscheduler(0, SCHED_BATCH, &kNoPriority) == 0) {}
 
-GivesWay::~GivesWay() {
+BatchScheduling::~BatchScheduling() {
   if (hasChanged_) sched_setscheduler(0, SCHED_OTHER, &kNoPriority);
 }
 

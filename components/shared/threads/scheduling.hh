@@ -5,12 +5,12 @@ namespace pongsim::shared {
 /// While it exists, the calling thread, and permanently the threads that it starts meanwhile, do not preempt running
 /// threads when they wake (SCHED_BATCH, sched(7)), so that the simulation's thread is not delayed by those that carry
 /// its messages. A scheduling policy chosen by the user is kept.
-class GivesWay {
+class BatchScheduling {
  public:
-  GivesWay();
-  ~GivesWay();
-  GivesWay(const GivesWay&) = delete;
-  GivesWay& operator=(const GivesWay&) = delete;
+  BatchScheduling();
+  ~BatchScheduling();
+  BatchScheduling(const BatchScheduling&) = delete;
+  BatchScheduling& operator=(const BatchScheduling&) = delete;
 
  private:
   bool hasChanged_;

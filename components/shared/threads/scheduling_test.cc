@@ -21,11 +21,11 @@ void inThreadOf(int policy, Body body) {
 
 }  // namespace
 
-TEST(GivesWay, ForAWhileAndInThreadsStartedMeanwhileForGood) {
+TEST(BatchScheduling, ForAWhileAndInThreadsStartedMeanwhileForGood) {
   inThreadOf(SCHED_OTHER, [] {
     std::thread child;
     {
-      const GivesWay givesWay;
+      const BatchScheduling scheduling;
       EXPECT_EQ(sched_getscheduler(0), SCHED_BATCH);
       child = std::thread([] { EXPECT_EQ(sched_getscheduler(0), SCHED_BATCH); });
     }
@@ -34,10 +34,10 @@ TEST(GivesWay, ForAWhileAndInThreadsStartedMeanwhileForGood) {
   });
 }
 
-TEST(GivesWay, LeavesAPolicyThatWasChosen) {
+TEST(BatchScheduling, LeavesAPolicyThatWasChosen) {
   inThreadOf(SCHED_IDLE, [] {
     {
-      const GivesWay givesWay;
+      const BatchScheduling scheduling;
       EXPECT_EQ(sched_getscheduler(0), SCHED_IDLE);
     }
     EXPECT_EQ(sched_getscheduler(0), SCHED_IDLE);

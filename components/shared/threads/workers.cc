@@ -37,7 +37,7 @@ bool Workers::Part::takeLast(std::size_t& index) {
   return true;
 }
 
-Workers::Workers(int threads, int looks) : looks_(looks), parts_(static_cast<std::size_t>(threads)) {
+Workers::Workers(int threads, int spins) : spins_(spins), parts_(static_cast<std::size_t>(threads)) {
   try {
     for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
   } catch (const std::system_error& error) {
@@ -47,7 +47,7 @@ Workers::Workers(int threads, int looks) : looks_(looks), parts_(static_cast<std
 }
 
 Workers::~Workers() {
-  if (areHere()) {
+  if (areOfThisProcess()) {
     end();
   } else {
     for (std::thread& thread : threads_) thread.detach();
@@ -75,7 +75,7 @@ void Workers::share(std::size_t count, Call call, void* context) {
   inside_.fetch_and(~kOpen);
   for (int i = 0; inside_ != 0; ++i) {
     // on a busy machine, a running thread may be waiting for a core
-    if (i < looks_) {
+    if (i < spins_) {
       pause();
     } else {
       std::this_thread::yield();
@@ -107,7 +107,7 @@ void Workers::help(int worker) {
 }
 
 std::uint32_t Workers::waitForRound(std::uint32_t last) const {
-  for (int i = 0; i < looks_; ++i) {
+  for (int i = 0; i < spins_; ++i) {
     const std::uint32_t round = round_;
     if (round != last) return round;
     pause();

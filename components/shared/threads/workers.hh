@@ -10,23 +10,23 @@
 
 namespace pongsim::shared {
 
-/// A thread pool for a piece of work that recurs thousands of times a second: its threads spin for a moment before they
-/// sleep. Each starts with its own part, the same each time, so that its data stays in its processor's caches, and then
-/// helps the others from the far ends of their parts, which these reach last. Allocates nothing after construction.
+/// A thread pool for loops that recur thousands of times a second: idle threads spin for a moment before they sleep.
+/// Each thread starts with its own range of indices, the same each time, so that its data stays in its processor's
+/// caches. Then it steals work from the ends of the others' ranges. Allocates nothing after construction.
 class Workers {
  public:
   /// @param threads Number of threads, including the caller of `forEach`; at least 1.
-  /// @param looks How often a thread checks for work before it sleeps. 2,000 checks take some tens of microseconds, as
+  /// @param spins How often a thread checks for work before it sleeps. 2,000 checks take some tens of microseconds, as
   /// long as the gap between two pieces of work in a step.
   /// @throws std::runtime_error where the system has no more threads.
-  explicit Workers(int threads, int looks = 2000);
+  explicit Workers(int threads, int spins = 2000);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// @return Whether the calling process has the threads: one that was forked since does not, and the destructor then
-  /// leaves them to its parent.
-  bool areHere() const { return process_ == getpid(); }
+  /// @return Whether the threads belong to the calling process: not after a fork. Then the destructor leaves them to
+  /// the parent.
+  bool areOfThisProcess() const { return process_ == getpid(); }
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
   /// Calls `work(index, worker)` for each index below `count` (less than 2^32), and returns after all calls. `worker`
@@ -69,7 +69,7 @@ class Workers {
   /// Waits for a round other than `last`.
   std::uint32_t waitForRound(std::uint32_t last) const;
 
-  const int looks_;
+  const int spins_;
   const pid_t process_ = getpid();
 
   // the work; only written while no thread is inside

@@ -17,9 +17,9 @@ namespace pongsim::shared {
 namespace {
 
 TEST(Workers, DoAllOnceWhoeverDoesIt) {
-  // those that go to sleep at once, and those that look around
-  for (const auto& [threads, looks] : {std::pair(1, 0), std::pair(2, 0), std::pair(5, 0), std::pair(2, 2000)}) {
-    Workers workers(threads, looks);
+  // those that go to sleep at once, and those that spin
+  for (const auto& [threads, spins] : {std::pair(1, 0), std::pair(2, 0), std::pair(5, 0), std::pair(2, 2000)}) {
+    Workers workers(threads, spins);
     EXPECT_EQ(workers.count(), threads);
     for (std::size_t round = 0; round < 2000; ++round) {
       std::vector<int> done(round % 50);

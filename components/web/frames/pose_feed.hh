@@ -43,7 +43,7 @@ class PoseChannel final : public OwnChannel, public Callee, public std::enable_s
 
   /// @return Whether somebody is watching and the next frame is due; then false until that frame has been shown.
   bool takeIsWanted() { return isWanted_.load(std::memory_order_relaxed) && isWanted_.exchange(false); }
-  /// TopicChannels a snapshot to all viewers, who get this or a newer one. Wakes no thread, and costs the same for any
+  /// Offers a snapshot to all viewers, who get this or a newer one. Wakes no thread, and costs the same for any
   /// number of viewers.
   void show(std::shared_ptr<const PoseSnapshot> snapshot);
 

@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "base/parse_number.hh"
-#include "transport/deadline.hh"
 #include "shared/threads/scheduling.hh"
+#include "transport/deadline.hh"
 #include "transport/udp/domain.hh"
 
 namespace pongsim::transport {
@@ -91,7 +91,7 @@ rtps::RTPSParticipantAttributes participantAttributes(const Participant::Setting
   attributes.builtin.metatrafficUnicastLocatorList.push_back(own);
   attributes.builtin.initialPeersList.push_back(locatorOf(kLoopback));
   if (interface) {
-    attributes.userTransports.push_back(udpOn(interface->address, GatedUdp::Side::kBeyond, domain, gate));
+    attributes.userTransports.push_back(udpOn(interface->address, GatedUdp::Side::kNetwork, domain, gate));
     rtps::Locator_t group = locatorOf(kMulticastGroup);
     group.port = multicastPort(domain);
     attributes.builtin.metatrafficMulticastLocatorList.push_back(group);
@@ -148,7 +148,7 @@ Participant::Participant(const Settings& settings, const std::optional<Participa
     : listener_(listener), gate_(std::make_shared<UdpGate>(settings.domain)), participant_(nullptr, removeParticipant) {
   setUpLibrary();
   // with DDS's threads
-  const shared::GivesWay givesWay;
+  const shared::BatchScheduling scheduling;
   participant_.reset(
       rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(settings.domain), false,
                                           participantAttributes(settings, textOf({getpid(), first}), gate_), this));
@@ -161,7 +161,7 @@ Participant::Participant(const Settings& settings, const std::optional<Participa
   id_ = participantId(participant_->getGuid().guidPrefix);
   port_ = participant_->getRTPSParticipantAttributes().builtin.metatrafficUnicastLocatorList.begin()->port;
   participant_->enable();
-  gate_->watch(deadlineAfter(kAnnounceBy), [this] { announce(); });
+  gate_->startThread(deadlineAfter(kAnnounceBy), [this] { announce(); });
 }
 
 Participant::~Participant() {
@@ -175,7 +175,7 @@ void Participant::announce() {
 }
 
 void Participant::ignore(const Participant& other) {
-  gate_->doorkeeper.ignore(other.id_, other.port_);
+  gate_->filter.ignore(other.id_, other.port_);
   gate_->announcements.ignore(other.port_);
 }
 
@@ -185,14 +185,14 @@ void Participant::onParticipantDiscovery(rtps::RTPSParticipant* participant, rtp
   using Info = rtps::ParticipantDiscoveryInfo;
   const ParticipantId id = participantId(info.info.m_guid.guidPrefix);
   if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-    gate_->doorkeeper.removed(id);
+    gate_->filter.removed(id);
   } else {
-    gate_->doorkeeper.discovered(id, std::chrono::steady_clock::now());
+    gate_->filter.discovered(id, std::chrono::steady_clock::now());
   }
   if (info.status == Info::DISCOVERED_PARTICIPANT) {
     for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) {
       // the library answers it with an announcement after this call
-      gate_->announcements.met(locator.port);
+      gate_->announcements.discovered(locator.port);
     }
   }
   if (listener_ != nullptr) listener_->onParticipantDiscovery(participant, std::move(info));

@@ -19,14 +19,14 @@ namespace pongsim::transport {
 /// discovered.
 ///
 /// Closed ports get nothing: the kernel answers with an ICMP error, which costs more than the message. A participant
-/// that opens such a port later announces itself, which calls `met`. Thread-safe.
+/// that opens such a port later announces itself, which calls `discovered`. Thread-safe.
 class Announcements {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   /// @return The open discovery ports of this machine; nothing if the system does not report them.
-  using Look = std::function<std::optional<std::vector<std::uint32_t>>()>;
+  using ListOpenPorts = std::function<std::optional<std::vector<std::uint32_t>>()>;
 
-  explicit Announcements(Look look) : look_(std::move(look)) {}
+  explicit Announcements(ListOpenPorts listOpenPorts) : listOpenPorts_(std::move(listOpenPorts)) {}
 
   /// @param sequence The announcement's sequence number.
   /// @return Whether to send the announcement to this port; if so, it is recorded as sent.
@@ -36,7 +36,7 @@ class Announcements {
   void ignore(std::uint32_t port);
 
   /// Records that the participant at this port has just been discovered: the next announcement is sent to it.
-  void met(std::uint32_t port);
+  void discovered(std::uint32_t port);
 
  private:
   struct Sent {
@@ -46,12 +46,12 @@ class Announcements {
 
   bool isOpen(std::uint32_t port, TimePoint now);
 
-  Look look_;
+  ListOpenPorts listOpenPorts_;
   std::mutex mutex_;
   std::set<std::uint32_t> ignored_;
   /// The last announcement sent to each port; empty if the port's participant has been discovered since.
   std::map<std::uint32_t, std::optional<Sent>> sent_;
-  std::optional<TimePoint> looked_;
+  std::optional<TimePoint> listedAt_;
   std::optional<std::vector<std::uint32_t>> open_;
 };
 

@@ -18,10 +18,10 @@ class AnnouncementsTest : public testing::Test {
   bool goesTo(std::uint32_t port, std::uint64_t sequence = 1) { return announcements_.goesTo(port, sequence, now_); }
 
   std::optional<std::vector<std::uint32_t>> open_ = std::vector<std::uint32_t>{7410, 7412};
-  int looks_ = 0;
+  int queries_ = 0;
   Announcements::TimePoint now_{};
   Announcements announcements_{[this] {
-    ++looks_;
+    ++queries_;
     return open_;
   }};
 };
@@ -38,26 +38,26 @@ TEST_F(AnnouncementsTest, GoToEachOpenPortOnceASecond) {
   EXPECT_TRUE(goesTo(7410));
 }
 
-TEST_F(AnnouncementsTest, GoAtOnceWhereTheyAreNews) {
+TEST_F(AnnouncementsTest, GoAtOnceIfTheSequenceNumberIsNew) {
   EXPECT_TRUE(goesTo(7410));
   EXPECT_TRUE(goesTo(7410, 2));
   EXPECT_FALSE(goesTo(7410, 2));
 }
 
-TEST_F(AnnouncementsTest, GoOnceMoreToWhoHasBeenMet) {
+TEST_F(AnnouncementsTest, GoOnceMoreToAParticipantThatHasBeenDiscovered) {
   EXPECT_TRUE(goesTo(7410));
   EXPECT_TRUE(goesTo(7412));
-  announcements_.met(7412);
+  announcements_.discovered(7412);
   EXPECT_FALSE(goesTo(7410));
   EXPECT_TRUE(goesTo(7412));
   EXPECT_FALSE(goesTo(7412));
 }
 
-TEST_F(AnnouncementsTest, GoToWhoHasBeenMetBeforeItsPortIsSeen) {
+TEST_F(AnnouncementsTest, GoToADiscoveredParticipantWhosePortIsNotListedYet) {
   EXPECT_FALSE(goesTo(7414));
-  announcements_.met(7414);
+  announcements_.discovered(7414);
   EXPECT_TRUE(goesTo(7414));
-  EXPECT_EQ(looks_, 1);
+  EXPECT_EQ(queries_, 1);
 }
 
 TEST_F(AnnouncementsTest, GoToPortsThatHaveBeenOpenedSince) {
@@ -67,9 +67,9 @@ TEST_F(AnnouncementsTest, GoToPortsThatHaveBeenOpenedSince) {
   EXPECT_TRUE(goesTo(7414));
 }
 
-TEST_F(AnnouncementsTest, LookOnceForAllPorts) {
+TEST_F(AnnouncementsTest, ListTheOpenPortsOnceForAll) {
   for (std::uint32_t port = 7410; port < 7600; port += 2) goesTo(port);
-  EXPECT_EQ(looks_, 1);
+  EXPECT_EQ(queries_, 1);
 }
 
 TEST_F(AnnouncementsTest, GoToAllPortsWhereTheSystemReportsNone) {
@@ -79,7 +79,7 @@ TEST_F(AnnouncementsTest, GoToAllPortsWhereTheSystemReportsNone) {
 
 TEST_F(AnnouncementsTest, GoToNobodyOfTheSameProcess) {
   announcements_.ignore(7410);
-  announcements_.met(7410);
+  announcements_.discovered(7410);
   EXPECT_FALSE(goesTo(7410));
   EXPECT_TRUE(goesTo(7412));
 }

@@ -66,7 +66,7 @@ class OwnSide : public rtps::LocatorsIterator {
     if (!isOn(side_, locator)) return false;
     if (!discoveryPorts(domain_).contains(locator.port)) return true;
     if (!isRead_) read();
-    if (!read_ || side_ == GatedUdp::Side::kBeyond) return true;
+    if (!read_ || side_ == GatedUdp::Side::kNetwork) return true;
     const auto now = std::chrono::steady_clock::now();
     if (read_->isAnnouncement())
       return gate_.announcements.goesTo(locator.port, read_->discovery.front().sequence, now);
@@ -76,7 +76,7 @@ class OwnSide : public rtps::LocatorsIterator {
   void read() {
     isRead_ = true;
     read_ = shared::readRtpsMessage(message_);
-    if (read_) gate_.doorkeeper.sends(*read_);
+    if (read_) gate_.filter.recordSent(*read_);
   }
 
   GatedUdp::Side side_;
@@ -123,7 +123,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
   /// Maps all addresses of this machine to 127.0.0.1: a participant that listens at another one listens there, too.
   bool transform_remote_locator(const rtps::Locator_t& remote, rtps::Locator_t& result) const override {
-    if (side_ == GatedUdp::Side::kBeyond) return ChainingTransport::transform_remote_locator(remote, result);
+    if (side_ == GatedUdp::Side::kNetwork) return ChainingTransport::transform_remote_locator(remote, result);
     if (!IsLocatorSupported(remote) || !is_local_locator(remote)) return false;
     result = remote;
     rtps::IPLocator::setIPv4(result, kLocalAddress);
@@ -141,11 +141,10 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
     if (!gate_->isOpen) return;
     const RtpsAddress from{addressOf(remote), remote.port};
-    const auto side = side_ == GatedUdp::Side::kLoopback ? Doorkeeper::Side::kLoopback : Doorkeeper::Side::kBeyond;
     // the buffer belongs to Fast DDS, which itself modifies it
     const std::span message(const_cast<rtps::octet*>(bytes), size);
-    const auto [isAdmitted, before] = gate_->doorkeeper.admits(message, from, side, std::chrono::steady_clock::now());
-    if (!isAdmitted) return;
+    const auto [isAccepted, before] = gate_->filter.decide(message, from, side_, std::chrono::steady_clock::now());
+    if (!isAccepted) return;
     if (!before.empty()) {
       receiver->OnDataReceived(before.data(), static_cast<std::uint32_t>(before.size()), local, remote);
     }
@@ -173,15 +172,15 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 UdpGate::UdpGate(int domain)
     : announcements([this, domain] { return listeners(domain); }),
       heartbeats([this](std::uint32_t port, const RtpsHeartbeat& heartbeat) {
-        return doorkeeper.isAcknowledged(port, heartbeat);
+        return filter.isAcknowledged(port, heartbeat);
       }),
-      doorkeeper({[this, domain](std::uint32_t port) {
-                    return discoveryPorts(domain).contains(port) &&
-                           (!tells() || isUdpOpen({INADDR_LOOPBACK, port}).value_or(true));
-                  },
-                  [this](const RtpsAddress& address) {
-                    return !tells() || isUdpOpen({address.address, address.port}).value_or(true);
-                  }}) {
+      filter({[this, domain](std::uint32_t port) {
+                return discoveryPorts(domain).contains(port) &&
+                       (!listsAreComplete() || isUdpOpen({INADDR_LOOPBACK, port}).value_or(true));
+              },
+              [this](const RtpsAddress& address) {
+                return !listsAreComplete() || isUdpOpen({address.address, address.port}).value_or(true);
+              }}) {
   ports.reserve(kMostPorts);
 }
 
@@ -191,29 +190,30 @@ std::optional<std::vector<std::uint32_t>> UdpGate::listeners(int domain) {
   std::vector<std::uint32_t> listening;
   for (const OpenPort& each : *open) listening.push_back(each.port);
   const std::lock_guard lock(mutex);
-  isTold |= std::ranges::any_of(ports, [&](std::uint32_t port) { return std::ranges::count(listening, port) > 0; });
-  return isTold ? std::optional(std::move(listening)) : std::nullopt;
+  hasOwnSocketsListed |=
+      std::ranges::any_of(ports, [&](std::uint32_t port) { return std::ranges::count(listening, port) > 0; });
+  return hasOwnSocketsListed ? std::optional(std::move(listening)) : std::nullopt;
 }
 
-void UdpGate::watch(Watch::TimePoint openBy, std::function<void()> open) {
-  watch_.emplace([this, openBy, open = std::move(open)] {
+void UdpGate::startThread(TimerThread::TimePoint openBy, std::function<void()> open) {
+  thread_.emplace([this, openBy, open = std::move(open)] {
     if (!isOpen && std::chrono::steady_clock::now() >= openBy) open();
-    const Watch::TimePoint nextLook = endLeases();
-    return isOpen ? nextLook : std::min(nextLook, openBy);
+    const TimerThread::TimePoint nextCheck = endLeases();
+    return isOpen ? nextCheck : std::min(nextCheck, openBy);
   });
 }
 
-Watch::TimePoint UdpGate::endLeases() {
-  Doorkeeper::Endings endings = doorkeeper.endings(std::chrono::steady_clock::now());
-  for (const std::vector<std::uint8_t>& each : endings.messages) {
+TimerThread::TimePoint UdpGate::endLeases() {
+  RtpsFilter::Expiry expiry = filter.expireLeases(std::chrono::steady_clock::now());
+  for (const std::vector<std::uint8_t>& each : expiry.messages) {
     receiver->OnDataReceived(each.data(), static_cast<std::uint32_t>(each.size()), discoveryPort, discoveryPort);
   }
-  return endings.nextLook;
+  return expiry.nextCheck;
 }
 
-bool UdpGate::tells() {
+bool UdpGate::listsAreComplete() {
   const std::lock_guard lock(mutex);
-  return isTold;
+  return hasOwnSocketsListed;
 }
 
 GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp, Side side, int domain,

@@ -13,10 +13,10 @@
 #include <optional>
 #include <vector>
 
+#include "transport/timer_thread.hh"
 #include "transport/udp/announcements.hh"
-#include "transport/udp/doorkeeper.hh"
 #include "transport/udp/heartbeats.hh"
-#include "transport/watch.hh"
+#include "transport/udp/rtps_filter.hh"
 
 namespace pongsim::transport {
 
@@ -26,11 +26,11 @@ struct UdpGate {
 
   /// Starts the thread that ends leases, and that calls `open` if `isOpen` is still false at `openBy`.
   /// @throws std::system_error if the thread can't be started.
-  void watch(Watch::TimePoint openBy, std::function<void()> open);
+  void startThread(TimerThread::TimePoint openBy, std::function<void()> open);
   /// Ends that thread. Must be called before the participant is removed.
-  void close() { watch_.reset(); }
-  /// @return Whether the system lists open UDP sockets reliably, see `isTold`.
-  bool tells();
+  void close() { thread_.reset(); }
+  /// @return `hasOwnSocketsListed`, locked.
+  bool listsAreComplete();
 
   /// While false, everything sent or received is discarded.
   std::atomic<bool> isOpen = false;
@@ -42,12 +42,12 @@ struct UdpGate {
   eprosima::fastrtps::rtps::Locator_t discoveryPort;
   /// Whether a list of the system's sockets has contained one of `ports`. Until then the lists are not used: a system
   /// that does not list these does not list others either.
-  bool isTold = false;
+  bool hasOwnSocketsListed = false;
   /// These two filter what is sent to discovery ports of this machine.
   Announcements announcements;
   Heartbeats heartbeats;
   /// Filters what is received.
-  Doorkeeper doorkeeper;
+  RtpsFilter filter;
 
  private:
   /// @return The domain's discovery ports that are open on this machine; nothing if the system does not report them.
@@ -55,9 +55,9 @@ struct UdpGate {
 
   /// Makes Fast DDS remove the participants whose lease has ended.
   /// @return The time of the next call.
-  Watch::TimePoint endLeases();
+  TimerThread::TimePoint endLeases();
 
-  std::optional<Watch> watch_;
+  std::optional<TimerThread> thread_;
 };
 
 /// A UDP transport of Fast DDS that discards everything until it is opened, and filters what it sends and receives.
@@ -68,7 +68,7 @@ struct UdpGate {
 /// can receive.
 ///
 /// Fast DDS sends announcements to all possible discovery ports. `Announcements` selects the ports to which one is
-/// sent, and `Heartbeats` does so for heartbeats. Received messages pass the `Doorkeeper`, because Fast DDS trusts
+/// sent, and `Heartbeats` does so for heartbeats. Received messages pass the `RtpsFilter`, because Fast DDS trusts
 /// every sender.
 ///
 /// A participant that also communicates with other machines has two such transports, loopback first. Each sends only to
@@ -76,12 +76,8 @@ struct UdpGate {
 /// the first has opened it: otherwise the participant could not receive from its own machine.
 class GatedUdp : public eprosima::fastdds::rtps::ChainingTransportDescriptor {
  public:
-  enum class Side {
-    /// Locators in 127.0.0.0/8, no multicast.
-    kLoopback,
-    /// All other locators.
-    kBeyond
-  };
+  /// kLoopback: locators in 127.0.0.0/8, no multicast; kNetwork: all others.
+  using Side = RtpsFilter::Side;
 
   GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp, Side side, int domain,
            std::shared_ptr<UdpGate> gate);

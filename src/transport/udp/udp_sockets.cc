@@ -33,13 +33,13 @@ struct Comparison {
 };
 
 /// A request to the kernel (sock_diag(7)) for the UDP sockets over IPv4 in a range of ports.
-struct Question {
+struct DiagRequest {
   nlmsghdr header{};
   inet_diag_req_v2 wanted{};
   nlattr filter{};
   std::array<Comparison, 2> steps;
 
-  explicit Question(const PortRange& ports)
+  explicit DiagRequest(const PortRange& ports)
       : steps{Comparison(INET_DIAG_BC_S_GE, sizeof(Comparison), sizeof steps + sizeof(inet_diag_bc_op), ports.first),
               Comparison(INET_DIAG_BC_S_LE, sizeof(Comparison), sizeof(Comparison) + sizeof(inet_diag_bc_op),
                          ports.last)} {
@@ -83,8 +83,8 @@ struct Answer {
 };
 
 std::optional<Answer> askKernel(int netlink, const PortRange& ports) {
-  const Question question(ports);
-  if (send(netlink, &question, sizeof question, 0) != sizeof question) return std::nullopt;
+  const DiagRequest request(ports);
+  if (send(netlink, &request, sizeof request, 0) != sizeof request) return std::nullopt;
   Answer answer;
   alignas(nlmsghdr) std::array<std::byte, 32 << 10> piece;
   while (true) {
@@ -103,18 +103,18 @@ bool findsSocket(int netlink, const BoundUdp& address) {
   struct {
     nlmsghdr header{};
     inet_diag_req_v2 wanted{};
-  } question;
-  question.header.nlmsg_len = sizeof question;
-  question.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
-  question.header.nlmsg_flags = NLM_F_REQUEST;
-  question.wanted.sdiag_family = AF_INET;
-  question.wanted.sdiag_protocol = IPPROTO_UDP;
-  question.wanted.idiag_states = ~0U;
+  } request;
+  request.header.nlmsg_len = sizeof request;
+  request.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
+  request.header.nlmsg_flags = NLM_F_REQUEST;
+  request.wanted.sdiag_family = AF_INET;
+  request.wanted.sdiag_protocol = IPPROTO_UDP;
+  request.wanted.idiag_states = ~0U;
   // the kernel looks the socket up as for a received packet, with this destination
-  question.wanted.id.idiag_dst[0] = htonl(address.address);
-  question.wanted.id.idiag_dport = htons(static_cast<std::uint16_t>(address.port));
-  std::ranges::fill(question.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
-  if (send(netlink, &question, sizeof question, 0) != sizeof question) return false;
+  request.wanted.id.idiag_dst[0] = htonl(address.address);
+  request.wanted.id.idiag_dport = htons(static_cast<std::uint16_t>(address.port));
+  std::ranges::fill(request.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
+  if (send(netlink, &request, sizeof request, 0) != sizeof request) return false;
   alignas(nlmsghdr) std::array<std::byte, 4096> answer;
   const ssize_t size = recv(netlink, answer.data(), answer.size(), 0);
   std::vector<BoundUdp> sockets;
@@ -147,8 +147,8 @@ std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports
   const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG);
   if (netlink < 0) return std::nullopt;
   auto answer = askKernel(netlink, ports);
-  // The kernel fills datagrams of one page until it has seen the reader's buffer size, so a second request may fit into
-  // one datagram.
+  // The kernel fills datagrams of one page until it has passedSequence the reader's buffer size, so a second request
+  // may fit into one datagram.
   if (answer && !answer->isInOnePiece) answer = askKernel(netlink, ports);
   close(netlink);
   if (!answer) return std::nullopt;

@@ -15,22 +15,22 @@
 
 namespace pongsim::sensing {
 
-/// Appearance of a geometry.
-struct Look {
-  /// Nothing: invisible.
+/// The shape or mesh that rays are intersected with, for a geometry of a description.
+struct RayGeometry {
+  /// std::monostate: nothing is hit.
   std::variant<std::monostate, Shape, std::shared_ptr<const description::TriangleMesh>> body = std::monostate();
   Pose X_GeometryBody = {};
   Vector3 scale = {1, 1, 1};
 };
 
-/// Reads files referred to by descriptions; the loader does not read those of visuals.
-class LookReader {
+/// Makes ray geometries. It reads meshes and heightmaps of visuals, which the loader does not read.
+class RayGeometryReader {
  public:
   /// Called with a file that can't be used: "mesh", the file, the problem.
   using Warn = std::function<void(const std::string&, const std::filesystem::path&, const assets::Problem&)>;
 
-  /// @return The same triangles for the same mesh.
-  Look look(const description::Geometry& geometry, const Warn& warn);
+  /// @return The geometry. Equal meshes share their triangles.
+  RayGeometry read(const description::Geometry& geometry, const Warn& warn);
 
  private:
   assets::MeshStore meshes_;

@@ -1,34 +1,34 @@
-#include "transport/watch.hh"
+#include "transport/timer_thread.hh"
 
 #include <new>
 #include <utility>
 
 namespace pongsim::transport {
 
-Watch::Watch(std::function<TimePoint()> look) : look_(std::move(look)), thread_([this] { run(); }) {}
+TimerThread::TimerThread(std::function<TimePoint()> task) : task_(std::move(task)), thread_([this] { run(); }) {}
 
-Watch::~Watch() {
+TimerThread::~TimerThread() {
   {
     const Lock lock(mutex_);
-    isOver_ = true;
+    mustEnd_ = true;
   }
   changed_.notify_one();
   thread_.join();
 }
 
-void Watch::run() {
+void TimerThread::run() {
   Lock lock(mutex_);
-  while (!isOver_) {
+  while (!mustEnd_) {
     lock.unlock();
     TimePoint next;
     try {
-      next = look_();
+      next = task_();
     } catch (const std::bad_alloc&) {
       // not as an initial value: GCC 12 loses a value assigned before a throwing call whose result replaces it
       next = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     }
     lock.lock();
-    changed_.wait_until(lock, next, [this]() REQUIRES(mutex_) { return isOver_; });
+    changed_.wait_until(lock, next, [this]() REQUIRES(mutex_) { return mustEnd_; });
   }
 }
 

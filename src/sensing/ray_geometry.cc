@@ -1,4 +1,4 @@
-#include "sensing/look.hh"
+#include "sensing/ray_geometry.hh"
 
 #include <utility>
 
@@ -11,33 +11,33 @@ namespace {
 
 using description::TriangleMesh;
 
-struct MakeLook {
+struct MakeRayGeometry {
   assets::MeshStore& meshes;
-  const LookReader::Warn& warn;
+  const RayGeometryReader::Warn& warn;
 
-  Look operator()(const description::Empty&) const { return {}; }
+  RayGeometry operator()(const description::Empty&) const { return {}; }
   // as in Fortress
-  Look operator()(const description::Image&) const { return {}; }
-  Look operator()(const description::Box& box) const { return {Shape(box)}; }
-  Look operator()(const description::Sphere& sphere) const { return {Shape(sphere)}; }
-  Look operator()(const description::Cylinder& cylinder) const { return {Shape(cylinder)}; }
-  Look operator()(const description::Capsule& capsule) const { return {Shape(capsule)}; }
-  Look operator()(const description::Cone& cone) const { return {Shape(cone)}; }
-  Look operator()(const description::Ellipsoid& ellipsoid) const { return {Shape(ellipsoid)}; }
+  RayGeometry operator()(const description::Image&) const { return {}; }
+  RayGeometry operator()(const description::Box& box) const { return {Shape(box)}; }
+  RayGeometry operator()(const description::Sphere& sphere) const { return {Shape(sphere)}; }
+  RayGeometry operator()(const description::Cylinder& cylinder) const { return {Shape(cylinder)}; }
+  RayGeometry operator()(const description::Capsule& capsule) const { return {Shape(capsule)}; }
+  RayGeometry operator()(const description::Cone& cone) const { return {Shape(cone)}; }
+  RayGeometry operator()(const description::Ellipsoid& ellipsoid) const { return {Shape(ellipsoid)}; }
 
   // as large as its visual, as in Fortress
-  Look operator()(const description::Plane& plane) const {
+  RayGeometry operator()(const description::Plane& plane) const {
     return {Shape(Sheet{plane.size.cwiseAbs() / 2}),
             {Vector3::Zero(), rotationBetween(Vector3::UnitZ(), plane.normal)}};
   }
 
-  Look operator()(const description::Polyline& polyline) const {
+  RayGeometry operator()(const description::Polyline& polyline) const {
     if (polyline.triangles == nullptr) return {};
     return {polyline.triangles};
   }
 
   // the loader has warned about missing files, here and below
-  Look operator()(const description::Mesh& mesh) const {
+  RayGeometry operator()(const description::Mesh& mesh) const {
     if (mesh.file.empty()) return {};
     const assets::MeshStore::Result found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);
     if (const auto* problem = std::get_if<assets::Problem>(&found)) {
@@ -47,7 +47,7 @@ struct MakeLook {
     return {std::get<0>(found), {}, mesh.scale};
   }
 
-  Look operator()(const description::Heightmap& heightmap) const {
+  RayGeometry operator()(const description::Heightmap& heightmap) const {
     if (heightmap.file.empty()) return {};
     auto ground = assets::readGround(heightmap.file, heightmap.size, heightmap.position);
     if (const auto* problem = std::get_if<assets::Problem>(&ground)) {
@@ -61,8 +61,8 @@ struct MakeLook {
 
 }  // namespace
 
-Look LookReader::look(const description::Geometry& geometry, const Warn& warn) {
-  return std::visit(MakeLook{meshes_, warn}, geometry);
+RayGeometry RayGeometryReader::read(const description::Geometry& geometry, const Warn& warn) {
+  return std::visit(MakeRayGeometry{meshes_, warn}, geometry);
 }
 
 }  // namespace pongsim::sensing
