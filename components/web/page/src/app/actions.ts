@@ -1,10 +1,11 @@
 /// Actions on the selected entity.
-import { rollPitchYawOf } from '../connection/poses.ts';
+import { poseMessage, rollPitchYawOf } from '../connection/poses.ts';
 import { modelSdf } from '../connection/sdf_writer.ts';
 import type { Message } from '../connection/types.ts';
 import type { Entity } from '../connection/entities.ts';
 import type { Context } from './context.ts';
 import { download } from './dom.ts';
+import { insert, remove } from './edits.ts';
 
 /// The top-level model or light that contains the selected entity, or is it.
 export function chosenTop(context: Context): Entity | null {
@@ -18,7 +19,18 @@ export function chosenTop(context: Context): Entity | null {
 export async function removeChosen(context: Context): Promise<void> {
   const top = chosenTop(context);
   if (!top) return;
-  if (await context.attempt(`Remove ${top.name}`, context.world.remove(top.id))) context.selection.set(null);
+  await context.attempt(`Remove ${top.name}`, remove(context, top).then((isRemoved) => {
+    if (!isRemoved) return;
+    context.selection.set(null);
+    context.log.add('info', `Removed ${top.name}; Ctrl+Z brings it back`);
+  }));
+}
+
+/// Takes back the last change, or makes it again.
+export async function undo(context: Context, isRedo = false): Promise<void> {
+  const { history, log } = context;
+  const word = isRedo ? 'Redo' : 'Undo';
+  await context.attempt(word, (isRedo ? history.redo() : history.undo()).then((what) => log.add('info', what ? `${word}: ${what}` : `There is nothing to ${word.toLowerCase()}`)));
 }
 
 function messageOf(context: Context, entity: Entity): Message | undefined {
@@ -63,5 +75,6 @@ export async function paste(context: Context): Promise<void> {
   const { name, message } = copied;
   const place = await context.choosePlace(message);
   if (!place) return;
-  await context.attempt(`Paste ${name}`, context.world.clone(name, [...place.position, ...rollPitchYawOf(place.orientation)]));
+  const pose = poseMessage([...place.position, ...rollPitchYawOf(place.orientation)]);
+  await context.attempt(`Paste ${name}`, insert(context, `Paste ${name}`, { from: { case: 'cloneName', value: name }, name, pose }, name));
 }

@@ -3,6 +3,7 @@ import type { Connection } from '../connection/connection.ts';
 import { Emitter } from '../connection/emitter.ts';
 import type { World } from '../connection/world.ts';
 import type { View } from '../view/index.ts';
+import type { History } from './history.ts';
 import type { MessageLog } from './message_log.ts';
 
 /// The selected entity of the world.
@@ -23,6 +24,8 @@ export interface Context {
   /// Null if the browser has no 3D graphics.
   view: View | null;
   selection: Selection;
+  /// What the user has changed.
+  history: History;
   log: MessageLog;
   /// Awaits `work`, and reports a failure to the user.
   /// @return Whether it succeeded.

@@ -7,7 +7,9 @@ import { World } from '../connection/world.ts';
 import { View, type Pose } from '../view/index.ts';
 import { Ends, Selection, type Context } from './context.ts';
 import { h } from './dom.ts';
+import { move } from './edits.ts';
 import { guiSettingsOf } from './gui.ts';
+import { History } from './history.ts';
 import { Layout } from './layout.ts';
 import type { MessageLog } from './message_log.ts';
 import { currentTheme } from './theme.ts';
@@ -25,6 +27,7 @@ export class Shell {
     const selection = new Selection();
     this.context = {
       connection, world, selection, log,
+      history: new History(),
       view: null,
       attempt: async (what, work) => {
         try {
@@ -38,6 +41,7 @@ export class Shell {
       choosePlace: (message) => this.choosePlace(message),
     };
     this.context.view = this.makeView();
+    this.ends.add(world.restarted.on(() => this.context.history.clear()));
     this.tools = toolbar(this.context, this.layout, () => this.showTheme());
     this.connectView();
     this.showTheme();
@@ -68,8 +72,9 @@ export class Shell {
       asset: (address) => connection.asset(address),
       onPick: (entity) => selection.set(entity),
       onMove: (entity, pose, during) => {
-        if (during) return undefined;
-        const request = world.ask('set_pose', { id: entity, ...poseFields(pose) });
+        const moved = world.entities.get(entity);
+        if (during || !moved) return undefined;
+        const request = move(this.context, moved, poseFields(pose));
         void this.context.attempt('Move', request);
         return request;
       },

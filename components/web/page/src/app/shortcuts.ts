@@ -1,5 +1,5 @@
 /// Keyboard shortcuts, and the dialog that lists them.
-import { copyChosen, paste, removeChosen } from './actions.ts';
+import { copyChosen, paste, removeChosen, undo } from './actions.ts';
 import { saveScreenshot } from './capture.ts';
 import type { Context } from './context.ts';
 import { h } from './dom.ts';
@@ -22,6 +22,8 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: 'f', what: 'Look at the selection', act: ({ view, selection }) => selection.id !== null && view?.lookAt(selection.id) },
   { keys: 'h', what: 'Reset the view', act: ({ view }) => view?.lookFrom('home') },
   { keys: 'delete', what: 'Remove the selected model or light', act: (context) => void removeChosen(context) },
+  { keys: 'ctrl+z', what: 'Undo the last change of the world', act: (context) => void undo(context) },
+  { keys: 'ctrl+shift+z', what: 'Redo it', act: (context) => void undo(context, true) },
   { keys: 'ctrl+c', what: 'Copy the selected model', act: copyChosen },
   { keys: 'ctrl+v', what: 'Paste it: click to place it', act: (context) => void paste(context) },
   { keys: 'p', what: 'Screenshot', act: (context) => void saveScreenshot(context) },
@@ -29,9 +31,11 @@ export const kShortcuts: readonly Shortcut[] = [
 ];
 
 /// The notation of a key press that the list of shortcuts uses.
-export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey'>): string {
+export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>): string {
   const key = event.key === ' ' ? 'space' : event.key.toLowerCase();
-  return `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.altKey ? 'alt+' : ''}${key}`;
+  const isControl = event.ctrlKey || event.metaKey;
+  // without Control, Shift is part of the character
+  return `${isControl ? 'ctrl+' : ''}${event.altKey ? 'alt+' : ''}${isControl && event.shiftKey ? 'shift+' : ''}${key}`;
 }
 
 /// @param context Returns the context of the current world; null if there is none.
@@ -39,7 +43,8 @@ export function listenToShortcuts(context: () => Context | null): void {
   window.addEventListener('keydown', (event) => {
     const now = context();
     if (!now || event.defaultPrevented || isTyping(event.target, event.key)) return;
-    const keys = keysOf(event);
+    // the other custom for redo
+    const keys = keysOf(event).replace(/^ctrl\+y$/, 'ctrl+shift+z');
     // leaves Ctrl+C to the browser while text is selected
     if (keys === 'ctrl+c' && String(getSelection()) !== '') return;
     const shortcut = kShortcuts.find((each) => each.keys === keys);

@@ -2,7 +2,7 @@
 import { kShapeNames } from '../panels/shapes.ts';
 import { spawnShape } from '../panels/spawn.ts';
 import type { Tool } from '../view/index.ts';
-import { copyAsSdf, removeChosen } from './actions.ts';
+import { copyAsSdf, removeChosen, undo } from './actions.ts';
 import { saveScreenshot, toggleVideo } from './capture.ts';
 import type { Context } from './context.ts';
 import { h, iconButton } from './dom.ts';
@@ -12,8 +12,12 @@ import { kPanels } from './registry.ts';
 import { showHelp } from './shortcuts.ts';
 import { currentTheme, setTheme } from './theme.ts';
 
+/// The name of a menu's item, and what it does.
+type Item = [name: string, act: () => void];
+
 /// A button that opens a menu.
-function menu(title: string, items: [string, () => void][]): HTMLElement {
+/// @param items Its items, or a function that returns them when it opens; those without a function are not available.
+function menu(title: string, items: Item[] | (() => [name: string, act: (() => void) | null][])): HTMLElement {
   const summary = h('summary', {}, `${title} ▾`);
   const details = h('details', { class: 'menu' }, summary);
   const choose = (act: () => void, event: MouseEvent): void => {
@@ -22,9 +26,12 @@ function menu(title: string, items: [string, () => void][]): HTMLElement {
     if (event.detail === 0) summary.focus();
     act();
   };
-  const button = ([name, act]: [string, () => void]): HTMLElement =>
-    h('button', { type: 'button', onclick: (event: MouseEvent) => choose(act, event) }, name);
-  details.append(h('div', { class: 'items' }, ...items.map(button)));
+  const button = ([name, act]: [string, (() => void) | null]): HTMLElement =>
+    h('button', { type: 'button', disabled: !act, onclick: (event: MouseEvent) => act && choose(act, event) }, name);
+  const list = h('div', { class: 'items' });
+  details.append(list);
+  if (typeof items === 'function') details.addEventListener('toggle', () => details.open && list.replaceChildren(...items().map(button)));
+  else list.append(...items.map(button));
   details.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !details.open) return;
     event.stopPropagation();
@@ -39,7 +46,7 @@ function menu(title: string, items: [string, () => void][]): HTMLElement {
 
 /// @param themed Called with the theme that the user has selected.
 export function toolbar(context: Context, layout: Layout, themed: () => void): HTMLElement {
-  const { view } = context;
+  const { view, history } = context;
   const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
   const toolButtons = tools.map(([tool, name]) => iconButton(icon(tool), name, () => view?.setTool(tool), { disabled: !view, 'data-tool': tool }));
   let isFilming = false;
@@ -59,7 +66,12 @@ export function toolbar(context: Context, layout: Layout, themed: () => void): H
   return h('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Tools' },
     ...toolButtons,
     menu('Add', kShapeNames.map((shape) => [shape, () => void spawnShape(context, shape)])),
-    menu('Edit', [['Copy as SDF', () => void copyAsSdf(context)], ['Remove', () => void removeChosen(context)]]),
+    menu('Edit', () => [
+      [`Undo ${history.nextUndo ?? ''}`.trim(), history.nextUndo ? () => void undo(context) : null],
+      [`Redo ${history.nextRedo ?? ''}`.trim(), history.nextRedo ? () => void undo(context, true) : null],
+      ['Copy as SDF', () => void copyAsSdf(context)],
+      ['Remove', () => void removeChosen(context)],
+    ]),
     iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context), { disabled: !view }),
     film,
     menu('Panels', kPanels.map(({ id, title }) => [title, () => openPanel(id)])),

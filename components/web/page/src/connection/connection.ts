@@ -59,6 +59,8 @@ export class Connection {
   readonly stateChanged = new Emitter<ConnectionState>();
   /// The server has sent its `serverInfo`.
   readonly infoReceived = new Emitter<void>();
+  /// After a reconnection, the server is another run than before.
+  readonly runChanged = new Emitter<void>();
   readonly channelsChanged = new Emitter<void>();
   readonly servicesChanged = new Emitter<void>();
   /// A status message of the server.
@@ -66,6 +68,7 @@ export class Connection {
   readonly timeReceived = new Emitter<bigint>();
 
   private socket: Socket | null = null;
+  private run: string | undefined;
   private waitMs = 250;
   private nextId = 1;
   private readonly subscriptions = new Map<string, Subscription>();
@@ -184,6 +187,8 @@ export class Connection {
       case 'serverInfo':
         this.serverName = message.name;
         this.capabilities = message.capabilities;
+        if (this.run !== undefined && this.run !== message.sessionId) this.runChanged.emit();
+        this.run = message.sessionId;
         this.infoReceived.emit();
         return;
       case 'status':

@@ -3,7 +3,6 @@ import type { Connection } from './connection.ts';
 import { Emitter } from './emitter.ts';
 import { completeScene, Entities } from './entities.ts';
 import { FrameGatherer, readFrame, type Frame } from './frames.ts';
-import { poseMessage, type Sixfold } from './poses.ts';
 import type { Message } from './types.ts';
 
 /// Types of an ignition.msgs.Entity.
@@ -23,7 +22,10 @@ export class World {
   readonly changed = new Emitter<World>();
   /// Called with the poses that have changed since the previous call.
   readonly framed = new Emitter<Frame>();
+  /// The simulated time has gone back, or the connection leads to another run.
+  readonly restarted = new Emitter<void>();
   revision = -1;
+  private timeNs = 0n;
   private readonly frames = new FrameGatherer();
   private isDrawScheduled = false;
   private reading: Promise<void> | null = null;
@@ -38,6 +40,7 @@ export class World {
       connection.servicesChanged.on(() => {
         if (!this.scene && connection.services.has(this.path('scene/info'))) void this.read();
       }),
+      connection.runChanged.on(() => this.restarted.emit()),
       connection.stateChanged.on((state) => {
         if (state === 'lost') this.scene = null;
       }),
@@ -74,27 +77,9 @@ export class World {
     return this.ask('control', fields);
   }
 
-  setPose(id: number, pose: Sixfold): Promise<Message> {
-    return this.ask('set_pose', { id, ...poseMessage(pose) });
-  }
-
   async remove(id: number): Promise<void> {
     const isLight = this.entities.get(id)?.kind === 'light';
     await this.ask('remove', { id: BigInt(id), type: isLight ? kLight : kModel });
-  }
-
-  /// @param sdf SDF or URDF with one model or light.
-  async spawn(sdf: string, pose: Sixfold | null, name = ''): Promise<void> {
-    await this.ask('create', {
-      from: { case: 'sdf', value: sdf }, name, allowRenaming: true, ...(pose ? { pose: poseMessage(pose) } : {}),
-    });
-  }
-
-  /// @param model Name of the model to copy.
-  async clone(model: string, pose: Sixfold): Promise<void> {
-    await this.ask('create', {
-      from: { case: 'cloneName', value: model }, name: model, allowRenaming: true, pose: poseMessage(pose),
-    });
   }
 
   /// Requests scene and state, and repeats it if `read` is called meanwhile.
@@ -126,6 +111,8 @@ export class World {
 
   private receiveFrame(frame: Frame): void {
     this.frames.add(frame);
+    if (frame.timeNs < this.timeNs) this.restarted.emit();
+    this.timeNs = frame.timeNs;
     if (frame.revision !== this.revision) {
       this.revision = frame.revision;
       void this.read();

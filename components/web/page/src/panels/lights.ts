@@ -1,6 +1,7 @@
 /// The world's lights: switches, intensities, and buttons that add lights.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField, setChildren } from '../app/dom.ts';
+import { changeLight, fromText, insert } from '../app/edits.ts';
 import type { Message } from '../connection/types.ts';
 import { lightSdf, type LightType } from './shapes.ts';
 
@@ -28,7 +29,7 @@ class Row {
   readonly element = h('div', { class: 'row' }, this.box, this.name, this.intensity);
 
   /// @param change Requests the change of the light. Until its promise settles, the row shows the requested values.
-  constructor(private readonly change: (light: Message) => Promise<void>, choose: () => void) {
+  constructor(private readonly change: (before: Message, after: Message) => Promise<void>, choose: () => void) {
     this.box.addEventListener('change', () => void this.ask(switched(this.light, this.box.checked)));
     this.intensity.addEventListener('change', () => void this.ask({ ...this.light, intensity: this.intensity.valueAsNumber || 0 }));
     this.name.addEventListener('click', choose);
@@ -48,9 +49,10 @@ class Row {
   }
 
   private async ask(light: Message): Promise<void> {
+    const before = this.light;
     this.light = light;
     ++this.changes;
-    await this.change(light);
+    await this.change(before, light);
     --this.changes;
   }
 }
@@ -70,16 +72,17 @@ export function openLights(context: Context): Panel {
     }));
     setChildren(rows, byId.size > 0 ? [...byId.values()].map(({ element }) => element) : [none]);
   };
-  const change = async (light: Message): Promise<void> => {
-    await context.attempt('Light', world.ask('light_config', light));
-    await world.read();
+  const change = async (before: Message, after: Message): Promise<void> => {
+    if (!(await context.attempt('Light', changeLight(context, before, after)))) await world.read();
     // after `isChanging` has become false, also if the request was refused, to show the actual values
     setTimeout(show);
   };
   const add = (type: LightType): HTMLElement => h('button', {
     type: 'button', onclick: async () => {
       const place = await context.choosePlace({ name: type, type: ['point', 'spot', 'directional'].indexOf(type), diffuse: { r: 1, g: 1, b: 1, a: 1 } });
-      if (place) void context.attempt('Light', world.spawn(lightSdf(type), [place.position[0], place.position[1], 3, 0, 0, 0], type));
+      if (!place) return;
+      const factory = fromText(lightSdf(type), [place.position[0], place.position[1], 3, 0, 0, 0], type);
+      void context.attempt('Light', insert(context, `Add ${type} light`, factory, type));
     },
   }, `+ ${type}`);
   ends.add(world.changed.on(show));

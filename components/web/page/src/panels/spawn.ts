@@ -1,6 +1,7 @@
 /// Inserts models: shapes, files, and models by name or address.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
+import { fromText, insert } from '../app/edits.ts';
 import { kShapeNames, shapeMessage, shapeSdf, type Shape } from './shapes.ts';
 
 /// The name of the first model, light or robot in an SDF or URDF file; null for other files.
@@ -24,14 +25,15 @@ export async function spawnFiles(context: Context, files: Iterable<File>): Promi
       continue;
     }
     // null: at the pose in the file
-    if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `Added ${name} from ${file.name}`);
+    if (await context.attempt(`Spawn ${name}`, insert(context, `Spawn ${name}`, fromText(text, null), name))) context.log.add('info', `Added ${name} from ${file.name}`);
   }
 }
 
 export async function spawnShape(context: Context, shape: Shape): Promise<void> {
   const place = await context.choosePlace(shapeMessage(shape));
   if (!place) return;
-  await context.attempt(`Spawn ${shape}`, context.world.spawn(shapeSdf(shape), [...place.position, 0, 0, 0], shape));
+  const factory = fromText(shapeSdf(shape), [...place.position, 0, 0, 0], shape);
+  await context.attempt(`Spawn ${shape}`, insert(context, `Spawn ${shape}`, factory, shape));
 }
 
 export function openSpawn(context: Context): Panel {
@@ -45,8 +47,9 @@ export function openSpawn(context: Context): Panel {
   const address = h('input', { class: 'wide', placeholder: 'model://NAME, a file of the simulator, or a Fuel address', 'aria-label': 'Address of a model' });
   const form = h('form', { class: 'row', onsubmit: (event: Event) => {
     event.preventDefault();
-    const fields = { from: { case: 'sdfFilename', value: address.value }, allowRenaming: true };
-    void context.attempt('Spawn', context.world.ask('create', fields));
+    const factory = { from: { case: 'sdfFilename', value: address.value } };
+    // its name is in the file
+    void context.attempt('Spawn', insert(context, `Spawn ${address.value}`, factory, ''));
   } }, address, h('button', { type: 'submit' }, 'Add'));
   const element = h('div', { class: 'spawn' }, h('p', { class: 'hint' }, 'Choose a shape, then click in the view to place it. Files can be dropped on the page.'),
     h('div', { class: 'row wrap' }, ...shapes), choose, form);

@@ -1,7 +1,8 @@
 /// Shows the pose of the selected model, which can be changed by handles or numbers.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField } from '../app/dom.ts';
-import { rollPitchYawOf, sixfoldOf, type Sixfold } from '../connection/poses.ts';
+import { move } from '../app/edits.ts';
+import { poseMessage, rollPitchYawOf, sixfoldOf, type Sixfold } from '../connection/poses.ts';
 import type { Tool } from '../view/index.ts';
 
 const kAxes = ['X [m]', 'Y [m]', 'Z [m]', 'Roll [rad]', 'Pitch [rad]', 'Yaw [rad]'];
@@ -40,7 +41,8 @@ export function openTransform(context: Context): Panel {
     const id = top();
     const pose = fields.map((field) => field.valueAsNumber || 0) as Sixfold;
     isEdited = false;
-    if (id !== null) void context.attempt('Move', world.setPose(id, pose));
+    const entity = world.entities.get(id);
+    if (entity) void context.attempt('Move', move(context, entity, poseMessage(pose)));
   } }, h('div', { class: 'six' }, ...fields.map((field, i) => h('label', {}, kAxes[i]!, field))), apply);
   ends.add(selection.changed.on(() => {
     isEdited = false;

@@ -43,6 +43,25 @@ test('its handle along y drags it to the left', async () => {
   assert.ok(Math.abs(px - 2) < 0.01 && Math.abs(pz - 0.5) < 0.01, `it is at ${px} ${py} ${pz}`);
 });
 
+test('a move is undone and redone, by keys and in the menu', async () => {
+  const { tab } = page;
+  const [, moved] = await shownPose(tab);
+  await tab.locator('body').press('Control+z');
+  await until(() => shownPose(tab), ([, y]) => Math.abs(y) < 1e-6, 'it is back');
+  await tab.locator('body').press('Control+Shift+z');
+  await until(() => shownPose(tab), ([, y]) => Math.abs(y - moved) < 1e-6, 'it is moved again');
+  await tab.locator('summary', { hasText: 'Edit' }).click();
+  await tab.getByRole('button', { name: 'Undo Move ball' }).click();
+  await until(() => shownPose(tab), ([, y]) => Math.abs(y) < 1e-6, 'it is back');
+  // in a field, the keys are the field's
+  const search = panel(tab, 'Entity tree').getByLabel('Search entities');
+  await search.fill('ba');
+  await search.press('Control+Shift+z');
+  await search.fill('');
+  await search.blur();
+  assert.ok(Math.abs((await shownPose(tab))[1]) < 1e-6);
+});
+
 test('a copy is pasted where the view is clicked', async () => {
   const { tab } = page;
   await tab.locator('body').press('Escape');
@@ -55,11 +74,50 @@ test('a copy is pasted where the view is clicked', async () => {
   await panel(tab, 'Entity tree').getByRole('treeitem', { name: /^ball\S+ model$/ }).waitFor();
 });
 
-test('Delete removes what is chosen', async () => {
+test('a copy is removed and brought back without a question', async () => {
+  const { tab } = page;
+  const copy = panel(tab, 'Entity tree').getByRole('treeitem', { name: /^ball\S+ model$/ });
+  await copy.locator('> .row .name').click();
+  await tab.locator('body').press('Delete');
+  await until(() => copy.count(), (count) => count === 0, 'it has gone');
+  await tab.locator('body').press('Control+z');
+  await copy.waitFor();
+  // and the paste itself
+  await tab.locator('body').press('Control+z');
+  await until(() => copy.count(), (count) => count === 0, 'it has gone');
+  await tab.locator('body').press('Control+Shift+z');
+  await copy.waitFor();
+});
+
+test('Delete removes what is chosen after a question, and undo brings it back', async () => {
   const { tab } = page;
   await choose(tab, 'ball');
+  const before = await shownPose(tab);
+  const question = tab.getByRole('alertdialog', { name: 'Remove ball?' });
   await tab.locator('body').press('Delete');
+  await question.getByText('without its plugins').waitFor();
+  await tab.keyboard.press('Escape');
+  assert.equal(await ball().count(), 1);
+  await tab.locator('body').press('Delete');
+  await question.getByRole('button', { name: 'Remove' }).click();
   await until(() => ball().count(), (count) => count === 0, 'it has gone');
+  await tab.locator('body').press('Control+z');
+  await ball().waitFor();
+  await choose(tab, 'ball');
+  assert.deepEqual(await shownPose(tab), before);
+  await tab.locator('body').press('Control+Shift+z');
+  await until(() => ball().count(), (count) => count === 0, 'it has gone again');
+});
+
+test('after a reset there is nothing to undo', async () => {
+  const { tab } = page;
+  await tab.getByRole('button', { name: 'Step' }).click();
+  await until(() => tab.locator('#stats-iterations').textContent(), (text) => text === '1', 'a step');
+  await tab.getByRole('button', { name: 'Reset' }).click();
+  await ball().waitFor();
+  await tab.locator('summary', { hasText: 'Edit' }).click();
+  assert.ok(await tab.getByRole('button', { name: 'Undo', exact: true }).isDisabled());
+  await tab.keyboard.press('Escape');
 });
 
 test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));
