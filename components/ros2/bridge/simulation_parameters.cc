@@ -66,7 +66,7 @@ void SimulationParameters::declareReadOnly(const Settings& settings) {
   addReadOnly("domain", "number of the domain", parameterOf(static_cast<std::int64_t>(settings.participant.domain)));
   addReadOnly("distro", "wire protocol: humble (and older) or jazzy (Iron and later)",
               parameterOf(std::string(settings.participant.distro == Distro::kHumble ? "humble" : "jazzy")));
-  addReadOnly("localhost_only", "whether nodes are discovered only on the loopback interface",
+  addReadOnly("localhost_only", "whether the node keeps to this machine and announces 127.0.0.1",
               parameterOf(settings.participant.isLoopbackOnly));
   addReadOnly("network", "network interface for nodes on other machines; empty: none",
               parameterOf(settings.participant.interface.value_or("")));

@@ -1,13 +1,5 @@
 """What tests with peers share: a running simulation, and a node on Cyclone DDS."""
 
-import contextlib
-import os
-import pathlib
-import signal
-import subprocess
-import sys
-import tempfile
-import time
 from dataclasses import dataclass, field
 
 from cyclonedds.core import Policy, Qos
@@ -19,19 +11,7 @@ from cyclonedds.sub import DataReader, Subscriber
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
-
-sys.path.append(str(ROOT / "test/support"))
-from test_domain import take_domain  # noqa: E402
-
-# inherited from the test that started this process, or a new one
-DOMAIN = int(os.environ.get("PONGSIM_TEST_DOMAIN") or take_domain())
-# for all processes started by the test
-for name in ("PONGSIM_TEST_DOMAIN", "PONGSIM_DOMAIN", "ROS_DOMAIN_ID"):
-    os.environ[name] = str(DOMAIN)
-# For conditions that must come true, even on a busy machine.
-PATIENCE = 120.0
+from simulation import DOMAIN, PATIENCE, PONGSIM, ROOT, fortress, running, stop, until  # noqa: F401
 
 RELIABLE = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
 BEST_EFFORT = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(10))
@@ -118,27 +98,6 @@ class ParticipantEntitiesInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::Pa
     node_entities_info_seq: sequence[NodeEntitiesInfo] = field(default_factory=list)
 
 
-def fortress(name):
-    """A file of Fortress's worlds; without them the test is skipped."""
-    import pytest  # which nodes that share this file do without
-
-    folder = pathlib.Path(os.environ.get("PONGSIM_FORTRESS_WORLDS", ROOT.parent / "shared/fortress"))
-    if not (folder / name).exists():
-        pytest.skip(f"no worlds of Fortress at {folder}")
-    return folder / name
-
-
-def until(condition, what="the condition", patience=PATIENCE):
-    """Waits until `condition()` is true, and returns its result."""
-    end = time.monotonic() + patience
-    while True:
-        result = condition()
-        if result:
-            return result
-        assert time.monotonic() < end, f"{what} did not come true in {patience} s"
-        time.sleep(0.005)
-
-
 class Peer:
     """A participant with default settings, like that of a ROS node with rmw_cyclonedds."""
 
@@ -172,30 +131,3 @@ def take_one(reader, patience=PATIENCE, where=lambda sample: True):
         return fitting[-1:]
 
     return until(matching, "a sample", patience)[0]
-
-
-@contextlib.contextmanager
-def running(*arguments, environment=None, log=None):
-    """A simulation, `pongsim run ARGUMENTS`, which is stopped at the end. What it said is shown where the test fails,
-    unless it goes to a `log` of the test's own."""
-    with tempfile.TemporaryFile("w+") as own_log:
-        process = subprocess.Popen([PONGSIM, "run", *map(str, arguments)], stdout=subprocess.DEVNULL,
-                                   stderr=log or own_log, env={**os.environ, **(environment or {})}, text=True)
-        try:
-            yield process
-            stop(process)
-        except BaseException:
-            print(f"pongsim run {' '.join(map(str, arguments))} (returned {process.poll()}):")
-            own_log.seek(0)
-            print(own_log.read()[-3000:])
-            raise
-        finally:
-            if process.poll() is None:
-                process.kill()
-                process.wait()
-
-
-def stop(process):
-    if process.poll() is None:
-        process.send_signal(signal.SIGINT)
-        assert process.wait(PATIENCE) >= 0, "ended by a signal"

@@ -1,6 +1,7 @@
 """Rules: files of ros_gz_bridge, its arguments, and settings of each topic, as a node with Cyclone DDS sees them."""
 
 import json
+import os
 import re
 import subprocess
 import time
@@ -195,7 +196,7 @@ def test_names_of_the_simulation_are_expanded_too():
 def refused(*arguments, environment=None, code=1):
     """The output of a run that does not start."""
     result = subprocess.run([peers.PONGSIM, "run", WORLD, "--iterations", "1", *map(str, arguments)],
-                            capture_output=True, text=True, env={**peers.os.environ, **(environment or {})}, timeout=60)
+                            capture_output=True, text=True, env={**os.environ, **(environment or {})}, timeout=60)
     assert result.returncode == code, result.stderr
     return result.stderr
 

@@ -269,14 +269,14 @@ bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps:
   return true;
 }
 
-/// Peers are told the addresses of the interfaces, which those with default settings can reach; 127.0.0.1 is announced
-/// only if there is no other.
+/// Peers are told the addresses of the interfaces, which those with default settings can reach. Not 127.0.0.1 as well:
+/// they would send everything twice.
 rtps::LocatorList_t LocalUdpTransport::announced(std::uint32_t port) const {
   rtps::LocatorList_t list;
   for (const LocalAddress& each : reach_.addresses) {
-    if (each.isLoopback && reach_.addresses.size() > 1) continue;
-    list.push_back(locatorOf(each.address, port));
+    if (each.isLoopback == reach_.announcesLoopback) list.push_back(locatorOf(each.address, port));
   }
+  if (list.empty()) list.push_back(locatorOf(htonl(INADDR_LOOPBACK), port));
   return list;
 }
 
@@ -354,7 +354,7 @@ Reach reachOf(bool isLoopbackOnly, const std::optional<std::string>& interface) 
     }
     if (!found->isLoopback) reach.open = *found;
   }
-  if (isLoopbackOnly) std::erase_if(reach.addresses, [](const LocalAddress& each) { return !each.isLoopback; });
+  reach.announcesLoopback = isLoopbackOnly;
   if (reach.addresses.empty()) reach.addresses.push_back({"lo", htonl(INADDR_LOOPBACK), true});
   return reach;
 }

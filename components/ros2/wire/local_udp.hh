@@ -18,13 +18,16 @@ struct Reach {
   std::vector<LocalAddress> addresses;
   /// The one of them by which it speaks to other machines, too.
   std::optional<LocalAddress> open;
+  /// Whether nodes are told 127.0.0.1 instead of the other addresses.
+  bool announcesLoopback = false;
 
   shared::Senders senders() const;
   /// @return Whether what is for that address, in the network's byte order, may be sent.
   bool mayReach(std::uint32_t address) const;
 };
 
-/// @param isLoopbackOnly By 127.0.0.1 alone.
+/// @param isLoopbackOnly It announces 127.0.0.1, since nodes of Humble and of Cyclone DDS then listen nowhere else.
+/// Those of Jazzy and later announce the addresses of the interfaces, which it speaks to, too.
 /// @param interface Name or address of the interface for other machines; unset: for none.
 /// @throws std::invalid_argument where there is none of that name.
 Reach reachOf(bool isLoopbackOnly, const std::optional<std::string>& interface);

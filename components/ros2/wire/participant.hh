@@ -29,7 +29,7 @@ struct ParticipantOptions {
   /// 0 to `kLastDomain`.
   int domain = 0;
   Distro distro = Distro::kHumble;
-  /// Whether it keeps to 127.0.0.1, where nodes that do not are not met (ROS_LOCALHOST_ONLY).
+  /// Whether the nodes keep to this machine, and may listen at 127.0.0.1 alone (ROS_LOCALHOST_ONLY).
   bool isLoopbackOnly = false;
   /// Name or address of the network interface by which other machines are talked to; unset: none is.
   std::optional<std::string> interface = std::nullopt;
