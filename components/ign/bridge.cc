@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ign/names.hh"
 #include "ign/replies.hh"
 
 namespace pongsim::ign {
@@ -15,16 +16,24 @@ constexpr std::string_view kAnyType = "*";
 
 }  // namespace
 
-Bridge::Bridge(const Node& simulation, const Logger& log, const std::string& address)
+Bridge::Bridge(const Node& simulation, const Logger& log, const std::string& address, Generation generation)
     : simulation_(simulation),
       log_(log),
+      generation_(generation),
       topicsVersion_(simulation_.ownTopicsVersion() - 1),
       servicesVersion_(simulation_.ownServicesVersion() - 1),
-      courier_(log, address,
-               [this] {
-                 haveReadersChanged_ = true;
-                 simulation_.wake();
-               }),
+      subscribers_(address),
+      courier_(
+          log, address,
+          [this] {
+            haveReadersChanged_ = true;
+            simulation_.wake();
+          },
+          [this] {
+            areSubscribersAsked_ = true;
+            simulation_.wake();
+          }),
+      calls_(generation),
       gateway_(simulation_.openGateway(
           [this](const std::string& service, const Message& request, Message& reply, std::chrono::nanoseconds timeout) {
             return calls_.call(service, request, reply, timeout);
@@ -56,6 +65,7 @@ void Bridge::update() {
     servicesVersion_ = version;
     followServices();
   }
+  if (areSubscribersAsked_.load(std::memory_order_relaxed) && areSubscribersAsked_.exchange(false)) listSubscriptions();
   if (haveReadersChanged_.load(std::memory_order_relaxed) && haveReadersChanged_.exchange(false)) followReaders();
   if (haveTypesCome_.load(std::memory_order_relaxed) && haveTypesCome_.exchange(false)) {
     for (const auto& [name, topic] : incoming_) topic->openNewTypes(simulation_);
@@ -83,7 +93,7 @@ void Bridge::followOutgoing(const std::vector<OwnTopic>& topics) {
   for (const auto& key : there) {
     Out& out = outgoing_[key];
     if (out.topic) continue;
-    out.topic = std::make_shared<OutgoingTopic>(key.first, key.second);
+    out.topic = std::make_shared<OutgoingTopic>(key.first, wireType(key.second, generation_));
     courier_.open(out.topic);
   }
 }
@@ -92,6 +102,13 @@ void Bridge::followIncoming(const std::vector<OwnTopic>& topics) {
   std::map<std::string, std::set<std::string>> there;
   for (const OwnTopic& topic : topics) {
     if (topic.subscriptions > 0) there[topic.name].insert(topic.type);
+  }
+  subscriptions_.clear();
+  for (const auto& [name, types] : there) {
+    for (const std::string& type : types) {
+      subscriptions_.emplace_back(
+          name, type == kAnyType ? ignition::transport::kGenericMessageType : wireType(type, generation_));
+    }
   }
   for (auto each = incoming_.begin(); each != incoming_.end();) {
     const auto current = each++;
@@ -141,9 +158,15 @@ void Bridge::followServices() {
   for (const OwnService& service : offered) {
     std::shared_ptr<OfferedService>& place = services_[service.name];
     if (place) continue;
-    place = std::make_shared<OfferedService>(simulation_, service);
+    place = std::make_shared<OfferedService>(simulation_, service, generation_);
     courier_.post([this, offer = place] { offers_->advertise(offer); });
   }
+}
+
+/// Fortress's server does not answer, and its clients do not ask.
+void Bridge::listSubscriptions() {
+  if (generation_ != Generation::kGz) return;
+  courier_.post([this, subscriptions = subscriptions_] { subscribers_.send(subscriptions); });
 }
 
 void Bridge::endService(const std::shared_ptr<OfferedService>& service) {

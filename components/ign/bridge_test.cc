@@ -73,7 +73,7 @@ class BridgeTest : public testing::Test {
   Transport transport_{{.network = false}};
   Node node_ = transport_.node();
   Logger log_{"test"};
-  Bridge bridge_{node_, log_, "127.0.0.1"};
+  Bridge bridge_{node_, log_, "127.0.0.1", Generation::kIgn};
 };
 
 TEST_F(BridgeTest, TakesATopicThereWhileSomebodyListens) {
@@ -222,7 +222,7 @@ TEST_F(BridgeTest, ReachesServicesWithoutAnAnswer) {
 TEST_F(BridgeTest, EndsWhileACallerWaits) {
   const Service service =
       node_.serve<StringMsg, StringMsg>("/never", [](const StringMsg&, StringMsg&) { return true; });
-  auto other = std::make_unique<Bridge>(node_, log_, "127.0.0.1");
+  auto other = std::make_unique<Bridge>(node_, log_, "127.0.0.1", Generation::kIgn);
   other->update();
   // the request is never dispatched, so it stays unanswered
   const auto caller = peer({"call", "/never", "a"}, "");

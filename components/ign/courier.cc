@@ -16,11 +16,18 @@ constexpr std::size_t kMostBytes = 64 << 20;
 constexpr std::size_t kMostHeld = 512 << 20;
 // Interval of checks for new subscribers.
 constexpr std::chrono::milliseconds kLookPeriod{20};
+// Least interval of answers to requests for the list of subscribers: anybody can send many.
+constexpr std::chrono::milliseconds kAnswerPeriod{100};
 
 }  // namespace
 
-Courier::Courier(const Logger& log, const std::string& address, std::function<void()> heardChanged)
-    : log_(log), heardChanged_(std::move(heardChanged)), heartbeats_(address), thread_([this] { work(); }) {}
+Courier::Courier(const Logger& log, const std::string& address, std::function<void()> heardChanged,
+                 std::function<void()> subscribersAsked)
+    : log_(log),
+      heardChanged_(std::move(heardChanged)),
+      subscribersAsked_(std::move(subscribersAsked)),
+      heartbeats_(address),
+      thread_([this] { work(); }) {}
 
 Courier::~Courier() {
   {
@@ -125,6 +132,9 @@ void Courier::look() {
   bool hasChanged = false;
   for (const auto& topic : topics_) hasChanged = topic->look(heartbeats_) || hasChanged;
   if (hasChanged) heardChanged_();
+  if (Clock::now() < nextAnswer_ || !heartbeats_.takeRequest()) return;
+  nextAnswer_ = Clock::now() + kAnswerPeriod;
+  subscribersAsked_();
 }
 
 }  // namespace pongsim::ign

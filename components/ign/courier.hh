@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,11 @@ class Courier {
  public:
   /// @param heardChanged Called on the courier's thread when a topic has got its first subscriber or lost its last one.
   /// @param address IPv4 address at which this process uses ign-transport.
-  Courier(const Logger& log, const std::string& address, std::function<void()> heardChanged);
+  /// @param subscribersAsked Called on the courier's thread, at most ten times a second, when another process wants the
+  /// list of this one's subscriptions.
+  Courier(
+      const Logger& log, const std::string& address, std::function<void()> heardChanged,
+      std::function<void()> subscribersAsked = [] {});
   /// Finishes all queued messages and tasks.
   ~Courier();
   Courier(const Courier&) = delete;
@@ -58,6 +63,8 @@ class Courier {
 
   const Logger& log_;
   std::function<void()> heardChanged_;
+  std::function<void()> subscribersAsked_;
+  std::chrono::steady_clock::time_point nextAnswer_;
   /// Only used on the courier's thread.
   std::vector<std::shared_ptr<OutgoingTopic>> topics_;
   Heartbeats heartbeats_;

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "ign/library.hh"
+#include "ign/subscriber_list.hh"
 
 namespace pongsim::ign {
 
@@ -64,6 +65,7 @@ void Heartbeats::read() {
     ignition::msgs::Discovery message;
     if (static_cast<std::size_t>(size) != sizeof length + length) continue;
     if (!message.ParseFromArray(packet.data() + sizeof length, length) || message.process_uuid().empty()) continue;
+    if (static_cast<int>(message.type()) == SubscriberList::kRequest) isAsked_ = true;
     if (heard_.size() < kMostProcesses || heard_.contains(message.process_uuid())) {
       heard_[message.process_uuid()] = Clock::now();
     }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace pongsim::ign {
 
@@ -22,11 +23,15 @@ class Heartbeats {
   /// Reads all heartbeats that have arrived. Never blocks.
   void read();
 
+  /// @return Whether somebody has asked for the list of subscribers (`SubscriberList`) since the last call.
+  bool takeRequest() { return std::exchange(isAsked_, false); }
+
   /// @return Whether a heartbeat of the process with this id arrived in the last 10 s, or none has ever arrived.
   bool isAlive(const std::string& process, Clock::time_point now = Clock::now()) const;
 
  private:
   int socket_ = -1;
+  bool isAsked_ = false;
   std::map<std::string, Clock::time_point> heard_;
 };
 

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <exception>
 #include <optional>
 #include <string>
@@ -26,25 +27,37 @@ constexpr std::string_view kPictures[] = {
 class Ign final : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Puts the topics and services of the world on ign-transport 11, for the clients of Fortress.",
+    declaration.is("Puts the topics and services of the world on ign-transport, for the clients of Fortress or later.",
                    Declaration::Place::kWorld);
+    declaration
+        .parameter("names", &names_, "", "of types and environment variables: Fortress's, or those since Garden (gz)")
+        .oneOf({"ign", "gz"});
   }
 
   void configure(const SystemContext& context) override {
+    const Generation generation = names_ == "gz" ? Generation::kGz : Generation::kIgn;
+    // the library's settings are those of the whole process
+    static const Generation first = generation;
+    if (generation != first) {
+      context.diagnostics.error(context.sdf.position, "a process is either for Fortress's clients or for later ones",
+                                "run the worlds in two processes: pongsim run FILE -w WORLD");
+      return;
+    }
     Place place;
     try {
-      place = placeOfEnvironment();
+      place = placeOfEnvironment(generation);
     } catch (const std::exception& error) {
       // an error in `configure`: the run does not start
       context.diagnostics.error(context.sdf.position, error.what());
       return;
     }
-    settle(place, queueLengthFor(context.world));
+    warnOfOtherNames(generation, context.log);
+    settle(place, queueLengthFor(context.world), generation);
     if (library().myAddress.empty()) {
       context.diagnostics.error(context.sdf.position, "ign-transport can't open sockets at " + place.address);
       return;
     }
-    if (!place.isOpen) closeDiscoveryToOthers();
+    filterDiscovery(place.isOpen);
     context.log.info("partition '" + place.partition + "' at " + place.address);
     if (place.isOpen) {
       context.log.warning("open to the network of " + place.address + ": anybody there can command it");
@@ -52,9 +65,9 @@ class Ign final : public System {
     if (isSecured()) {
       context.log.warning("ign-transport is not secured, only DDS is");
     }
-    bridge_.emplace(context.node, context.log, place.address);
+    bridge_.emplace(context.node, context.log, place.address, generation);
     // the bridge has opened another discovery socket
-    if (!place.isOpen) closeDiscoveryToOthers();
+    filterDiscovery(place.isOpen);
   }
 
   void preUpdate(const StepInfo&) override {
@@ -69,6 +82,17 @@ class Ign final : public System {
     return kQueue;
   }
 
+  /// Warns of a partition or address that these clients do not read.
+  static void warnOfOtherNames(Generation generation, const Logger& log) {
+    for (const GazeboVariable& variable : {gazebo::kPartition, gazebo::kIp}) {
+      const std::string read = nameFor(variable, generation);
+      const std::string other = nameFor(variable, generation == Generation::kIgn ? Generation::kGz : Generation::kIgn);
+      if (std::getenv(other.c_str()) == nullptr || std::getenv(read.c_str()) != nullptr) continue;
+      log.warning(other + " has no effect, since these clients read " + read);
+    }
+  }
+
+  std::string names_ = "ign";
   std::optional<Bridge> bridge_;
 };
 

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "ign/names.hh"
+
 namespace pongsim::ign {
 
 namespace {
@@ -23,7 +25,7 @@ void IncomingTopic::subscribe() {
   node_.SubscribeRaw(name, [topic = weak_from_this()](const char* data, std::size_t size,
                                                       const ignition::transport::MessageInfo& info) {
     if (const auto self = topic.lock()) {
-      self->receive(info.Type(), std::as_bytes(std::span(data, size)));
+      self->receive(ownType(info.Type()), std::as_bytes(std::span(data, size)));
     }
   });
 }

@@ -3,7 +3,26 @@
 #include <ignition/transport/NodeOptions.hh>
 #include <ignition/transport/TopicUtils.hh>
 
+#include <utility>
+
 namespace pongsim::ign {
+
+namespace {
+
+constexpr std::string_view kIgnPackage = "ignition.msgs.", kGzPackage = "gz.msgs.";
+
+std::string renamed(std::string type, std::string_view from, std::string_view to) {
+  if (type.starts_with(from)) type.replace(0, from.size(), to);
+  return type;
+}
+
+}  // namespace
+
+std::string wireType(std::string type, Generation generation) {
+  return generation == Generation::kGz ? renamed(std::move(type), kIgnPackage, kGzPackage) : type;
+}
+
+std::string ownType(std::string type) { return renamed(std::move(type), kGzPackage, kIgnPackage); }
 
 std::optional<std::string> wireName(const std::string& name) {
   std::string full;

@@ -6,7 +6,6 @@
 #include <exception>
 #include <utility>
 
-#include "ign/names.hh"
 #include "ign/replies.hh"
 #include "pongsim/log.hh"
 
@@ -27,8 +26,8 @@ struct Answer {
 
 }  // namespace
 
-OfferedService::OfferedService(const Node& simulation, OwnService service)
-    : simulation_(simulation), service_(std::move(service)) {}
+OfferedService::OfferedService(const Node& simulation, OwnService service, Generation generation)
+    : simulation_(simulation), service_(std::move(service)), generation_(generation) {}
 
 void OfferedService::end() {
   std::unique_lock lock(mutex_);

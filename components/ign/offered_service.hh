@@ -7,6 +7,7 @@
 
 #include <ignition/transport/RepHandler.hh>
 
+#include "ign/names.hh"
 #include "pongsim/node.hh"
 
 namespace pongsim::ign {
@@ -16,7 +17,7 @@ namespace pongsim::ign {
 class OfferedService final : public ignition::transport::IRepHandler {
  public:
   /// @param simulation Copied, for use on the library's thread.
-  OfferedService(const Node& simulation, OwnService service);
+  OfferedService(const Node& simulation, OwnService service, Generation generation);
 
   const OwnService& service() const { return service_; }
 
@@ -26,14 +27,15 @@ class OfferedService final : public ignition::transport::IRepHandler {
 
   bool RunLocalCallback(const ignition::transport::ProtoMsg& request, ignition::transport::ProtoMsg& reply) override;
   bool RunCallback(const std::string& request, std::string& reply) override;
-  std::string ReqTypeName() const override { return service_.requestType; }
-  std::string RepTypeName() const override { return service_.replyType; }
+  std::string ReqTypeName() const override { return wireType(service_.requestType, generation_); }
+  std::string RepTypeName() const override { return wireType(service_.replyType, generation_); }
 
  private:
   bool ask(const Message& request, std::string& reply);
 
   Node simulation_;
   const OwnService service_;
+  const Generation generation_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool hasEnded_ = false;

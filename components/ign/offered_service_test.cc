@@ -50,7 +50,7 @@ class OfferedServiceTest : public testing::Test {
 };
 
 TEST_F(OfferedServiceTest, AnswersAsTheWorldDoes) {
-  OfferedService service(node_, own("/twice"));
+  OfferedService service(node_, own("/twice"), Generation::kIgn);
   EXPECT_EQ(service.ReqTypeName(), "ignition.msgs.StringMsg");
   EXPECT_EQ(service.RepTypeName(), "ignition.msgs.StringMsg");
   EXPECT_EQ(ask(service, bytesOf("ab")), "abab");
@@ -58,12 +58,12 @@ TEST_F(OfferedServiceTest, AnswersAsTheWorldDoes) {
 }
 
 TEST_F(OfferedServiceTest, RefusesWhatIsNoRequest) {
-  OfferedService service(node_, own("/twice"));
+  OfferedService service(node_, own("/twice"), Generation::kIgn);
   EXPECT_EQ(ask(service, "\xff\xff\xff"), "refused");
 }
 
 TEST_F(OfferedServiceTest, LetsGoOfWhoWaitsWhenItEnds) {
-  OfferedService service(node_, own("/twice"));
+  OfferedService service(node_, own("/twice"), Generation::kIgn);
   std::future<bool> answer = std::async(std::launch::async, [&] {
     std::string reply;
     return service.RunCallback(bytesOf("ab"), reply);

@@ -14,6 +14,7 @@ namespace pongsim::ign {
 class OutgoingTopic {
  public:
   /// For any thread: does not call the library.
+  /// @param type On the wire.
   OutgoingTopic(std::string name, std::string type);
 
   const std::string name;

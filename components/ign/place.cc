@@ -2,7 +2,7 @@
 
 #include <arpa/inet.h>
 
-#include <ignition/transport/NodeOptions.hh>
+#include <ignition/transport/NetUtils.hh>
 #include <ignition/transport/TopicUtils.hh>
 
 #include <algorithm>
@@ -22,19 +22,37 @@ std::string environment(const char* name) {
   return text == nullptr ? "" : text;
 }
 
+/// What the library reads, besides address and partition.
+constexpr GazeboVariable kRead[] = {
+    gazebo::kRelay,    gazebo::kMulticastIp, gazebo::kMessagePort, gazebo::kServicePort,  gazebo::kUsername,
+    gazebo::kPassword, gazebo::kStatistics,  gazebo::kSendQueue,   gazebo::kReceiveQueue, gazebo::kVerbose};
+
+/// Gives Fortress's variable the value of the later one.
+void rename(const GazeboVariable& variable) {
+  if (const char* const value = std::getenv(variable.later)) {
+    setenv(variable.fortress, value, 1);
+  } else {
+    unsetenv(variable.fortress);
+  }
+}
+
+/// @return HOST:USER.
+std::string defaultPartition() { return ignition::transport::hostname() + ":" + ignition::transport::username(); }
+
 std::string listOf(const std::vector<NetworkInterface>& all) {
   std::string list;
   for (const NetworkInterface& each : all) list += (list.empty() ? "" : ", ") + each.address + " (" + each.name + ")";
   return list.empty() ? "none" : list;
 }
 
-std::string chosenAddress() {
+std::string chosenAddress(Generation generation) {
   const std::vector<NetworkInterface> known = networkInterfaces();
-  if (const std::string said = environment("IGN_IP"); !said.empty()) {
+  const char* const variable = nameFor(gazebo::kIp, generation);
+  if (const std::string said = environment(variable); !said.empty()) {
     const bool isLoopback = said.starts_with("127.") && inet_addr(said.c_str()) != INADDR_NONE;
     if (isLoopback || std::ranges::find(known, said, &NetworkInterface::address) != known.end()) return said;
-    throw std::invalid_argument("IGN_IP is '" + said + "', which is not an IPv4 address of this machine; it has " +
-                                listOf(known));
+    throw std::invalid_argument(std::string(variable) + " is '" + said +
+                                "', which is not an IPv4 address of this machine; it has " + listOf(known));
   }
   const std::string said = environment("PONGSIM_NETWORK");
   if (said.empty()) return "127.0.0.1";
@@ -46,22 +64,28 @@ std::string chosenAddress() {
 
 }  // namespace
 
-Place placeOfEnvironment() {
+Place placeOfEnvironment(Generation generation) {
   Place place;
-  place.address = chosenAddress();
+  place.address = chosenAddress(generation);
   place.isOpen = !place.address.starts_with("127.");
-  const std::string said = environment("IGN_PARTITION");
+  const char* const variable = nameFor(gazebo::kPartition, generation);
+  const std::string said = environment(variable);
   if (!ignition::transport::TopicUtils::IsValidPartition(said)) {
-    throw std::invalid_argument("IGN_PARTITION is '" + said +
+    throw std::invalid_argument(std::string(variable) + " is '" + said +
                                 "', which is not a partition: it contains a space, '@', '~', ':=' or '//'");
   }
-  place.partition = said.empty() ? ignition::transport::NodeOptions().Partition() : said;
+  // as in the library, an empty one is one, too
+  place.partition = std::getenv(variable) == nullptr ? defaultPartition() : said;
   return place;
 }
 
-void settle(const Place& place, int queueLength) {
-  setenv("IGN_IP", place.address.c_str(), 1);
-  setenv("IGN_TRANSPORT_SNDHWM", std::to_string(queueLength).c_str(), 0);
+void settle(const Place& place, int queueLength, Generation generation) {
+  if (generation == Generation::kGz) {
+    for (const GazeboVariable& variable : kRead) rename(variable);
+    setenv(gazebo::kPartition.fortress, place.partition.c_str(), 1);
+  }
+  setenv(gazebo::kIp.fortress, place.address.c_str(), 1);
+  setenv(gazebo::kSendQueue.fortress, std::to_string(queueLength).c_str(), 0);
 }
 
 }  // namespace pongsim::ign

@@ -44,8 +44,8 @@ class RemoteCalls::Request final : public ignition::transport::IReqHandler {
       : IReqHandler(calls.nodeUuid_),
         shared_(calls.shared_),
         bytes_(request.SerializeAsString()),
-        requestType_(request.GetTypeName()),
-        replyType_(std::move(replyType)) {}
+        requestType_(wireType(request.GetTypeName(), calls.generation_)),
+        replyType_(wireType(std::move(replyType), calls.generation_)) {}
 
   void NotifyResult(const std::string& reply, const bool isDone) override {
     const std::lock_guard lock(shared_->mutex);
@@ -74,7 +74,7 @@ class RemoteCalls::Request final : public ignition::transport::IReqHandler {
   const std::string replyType_;
 };
 
-RemoteCalls::RemoteCalls() : nodeUuid_(Uuid().ToString()) {}
+RemoteCalls::RemoteCalls(Generation generation) : generation_(generation), nodeUuid_(Uuid().ToString()) {}
 
 void RemoteCalls::end() {
   const std::lock_guard lock(shared_->mutex);
@@ -99,8 +99,8 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   };
   const std::string quoted = "service '" + service + "' ";
   if (std::ranges::none_of(offers, fits)) {
-    return CallResult{CallOutcome::kOtherTypes, quoted + "takes " + offers.front().ReqTypeName() + " and returns " +
-                                                    offers.front().RepTypeName()};
+    return CallResult{CallOutcome::kOtherTypes, quoted + "takes " + ownType(offers.front().ReqTypeName()) +
+                                                    " and returns " + ownType(offers.front().RepTypeName())};
   }
   const std::string number = pending->HandlerUuid();
   {
@@ -108,17 +108,18 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
     shared.requests.AddHandler(*name, nodeUuid_, pending);
   }
   shared.SendPendingRemoteReqs(*name, pending->ReqTypeName(), pending->RepTypeName());
-  if (pending->RepTypeName() == kNoReply) return CallResult{CallOutcome::kDone, {}};
-
-  const Request::Answer answer = pending->wait(timeout);
+  const bool isAnswered = reply.GetTypeName() != kNoReply;
+  const Request::Answer answer = isAnswered ? pending->wait(timeout) : Request::Answer();
   {
+    // the library itself removes only requests without a reply, if they have Fortress's names
     const std::lock_guard lock(shared.mutex);
     shared.requests.RemoveHandler(*name, nodeUuid_, number);
   }
+  if (!isAnswered) return CallResult{CallOutcome::kDone, {}};
   if (!answer.isThere) return CallResult{CallOutcome::kNoAnswer, quoted + "did not answer in time"};
   if (!answer.isDone) return CallResult{CallOutcome::kRefused, quoted + "refused"};
   if (reply.ParseFromString(answer.reply)) return CallResult{CallOutcome::kDone, {}};
-  return CallResult{CallOutcome::kNoAnswer, quoted + "sent a reply that is not of type " + pending->RepTypeName()};
+  return CallResult{CallOutcome::kNoAnswer, quoted + "sent a reply that is not of type " + reply.GetTypeName()};
 }
 
 }  // namespace pongsim::ign

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "ign/generation.hh"
 #include "pongsim/node.hh"
 
 namespace pongsim::ign {
@@ -14,7 +15,7 @@ namespace pongsim::ign {
 /// Calls of the world to services of other processes on ign-transport. For any thread.
 class RemoteCalls {
  public:
-  RemoteCalls();
+  explicit RemoteCalls(Generation generation);
 
   /// See `CallElsewhere`.
   std::optional<CallResult> call(const std::string& service, const Message& request, Message& reply,
@@ -32,6 +33,7 @@ class RemoteCalls {
     bool hasEnded = false;
   };
 
+  const Generation generation_;
   const std::string nodeUuid_;
   const std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
 };

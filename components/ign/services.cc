@@ -43,19 +43,19 @@ Services::Services() : nodeUuid_(uuidOf(node_)) {}
 
 // Like `Node::Advertise`, for types that are not known at compile time.
 void Services::advertise(const std::shared_ptr<OfferedService>& service) {
-  const OwnService& offered = service->service();
-  const std::optional<std::string> name = wireName(offered.name);
+  const std::string& plainName = service->service().name;
+  const std::optional<std::string> name = wireName(plainName);
   auto& shared = library();
   if (name) {
     const std::lock_guard lock(shared.mutex);
     shared.repliers.AddHandler(*name, nodeUuid_, service);
     const ignition::transport::ServicePublisher publisher(
-        *name, shared.myReplierAddress, shared.replierId.ToString(), shared.pUuid, nodeUuid_, offered.requestType,
-        offered.replyType, ignition::transport::AdvertiseServiceOptions());
+        *name, shared.myReplierAddress, shared.replierId.ToString(), shared.pUuid, nodeUuid_, service->ReqTypeName(),
+        service->RepTypeName(), ignition::transport::AdvertiseServiceOptions());
     if (shared.AdvertisePublisher(publisher)) return;
   }
   static const Logger log("ign");
-  log.warning("service '" + offered.name + "' can't be offered by ign-transport");
+  log.warning("service '" + plainName + "' can't be offered by ign-transport");
 }
 
 void Services::unadvertise(const OfferedService& service) { node_.UnadvertiseSrv(service.service().name); }

@@ -162,11 +162,11 @@ struct Bridged {
   Transport transport{{.network = false}};
   Node node = transport.node();
   Logger log{"bench"};
-  Bridge bridge{node, log, "127.0.0.1"};
+  Bridge bridge{node, log, "127.0.0.1", Generation::kIgn};
 };
 
 int sayByPongsim(int kind) {
-  settle(placeOfEnvironment(), 1000);
+  settle(placeOfEnvironment(Generation::kIgn), 1000, Generation::kIgn);
   Bridged bridged;
   Publisher publisher = bridged.node.advertise(kKinds[kind].topic, kind == kTwist ? "Twist" : "Image");
   waitFor([&] {

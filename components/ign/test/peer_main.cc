@@ -1,4 +1,5 @@
-// A program for the tests that uses ign-transport, and nothing of pongsim.
+// A program for the tests that uses ign-transport, and nothing of pongsim: ign_peer, and with GZ_NAMES gz_peer, whose
+// messages have the names since Garden.
 //   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and their number when it is interrupted
 //   ign_peer statistics TOPIC TYPE    prints "numbered" when it receives messages that are numbered and stamped
 //   ign_peer raw TOPIC                prints the type of each message
@@ -10,8 +11,13 @@
 //   ign_peer call-one-way NAME TEXT   sends the text to such a service, once it exists, and prints "told"
 //   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once there is a subscriber
 
+#ifdef GZ_NAMES
+#include "gz_messages.pb.h"
+#else
+#include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
+#endif
 
 #include <ignition/transport/Node.hh>
 
@@ -26,9 +32,14 @@
 
 namespace {
 
-using ignition::msgs::Int32;
-using ignition::msgs::StringMsg;
+#ifdef GZ_NAMES
+namespace messages = gz::msgs;
+#else
+namespace messages = ignition::msgs;
+#endif
 using ignition::transport::Node;
+using messages::Int32;
+using messages::StringMsg;
 
 void say(const std::string& line) {
   std::printf("%s\n", line.c_str());
@@ -101,7 +112,11 @@ int serve(Node& node, const std::string& name) {
 }
 
 int serveOneWay(Node& node, const std::string& name) {
-  std::function<void(const StringMsg&)> heard = [](const StringMsg& request) { say(request.data()); };
+  // with Fortress's names, the library takes this for a service without a response
+  std::function<bool(const StringMsg&, messages::Empty&)> heard = [](const StringMsg& request, messages::Empty&) {
+    say(request.data());
+    return true;
+  };
   if (!node.Advertise(name, heard)) return 1;
   say("ready");
   ignition::transport::waitForShutdown();
@@ -127,7 +142,15 @@ int callOneWay(Node& node, const std::string& name, const std::string& text) {
   while (!node.ServiceInfo(name, there) || there.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   StringMsg request;
   request.set_data(text);
+#ifdef GZ_NAMES
+  // the library's own one-way request has Fortress's name of Empty
+  messages::Empty none;
+  bool isDone = false;
+  node.Request(name, request, 10'000, none, isDone);
+  say(isDone ? "told" : "not told");
+#else
   say(node.Request(name, request) ? "told" : "not told");
+#endif
   ignition::transport::waitForShutdown();
   return 0;
 }

@@ -22,16 +22,34 @@ sock_filter statement(std::uint32_t code, std::uint32_t value) {
   return {static_cast<std::uint16_t>(code), 0, 0, value};
 }
 
+/// What the program says first: it begins at the header of UDP.
+void refuse(const RefusedKind& kind, std::vector<sock_filter>& filter) {
+  constexpr std::uint32_t kHeader = 8;
+  const std::uint32_t tag = kHeader + kind.offset, value = tag + 1;
+  filter.push_back(statement(BPF_LD | BPF_W | BPF_LEN, 0));
+  filter.push_back({BPF_JMP | BPF_JGT | BPF_K, 0, 5, value});
+  filter.push_back(statement(BPF_LD | BPF_B | BPF_ABS, tag));
+  filter.push_back({BPF_JMP | BPF_JEQ | BPF_K, 0, 3, kind.tag});
+  filter.push_back(statement(BPF_LD | BPF_B | BPF_ABS, value));
+  filter.push_back({BPF_JMP | BPF_JGE | BPF_K, 0, 1, kind.least});
+  filter.push_back(statement(BPF_RET | BPF_K, 0));
+}
+
 }  // namespace
 
-bool limitSenders(int socket, const Senders& senders) {
-  if (senders.isAnybody) return true;
+bool limitSenders(int socket, const Senders& senders, const std::optional<RefusedKind>& refused) {
+  if (senders.isAnybody && !refused) return true;
+  std::vector<sock_filter> filter;
+  if (refused) refuse(*refused, filter);
+  if (senders.isAnybody) {
+    filter.push_back(statement(BPF_RET | BPF_K, kWholePacket));
+    return attach(socket, filter);
+  }
   const std::size_t count = senders.addresses.size();
   if (count > Senders::kMostAddresses) return false;
   const auto load = [](std::uint32_t offset) {
     return statement(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(SKF_NET_OFF) + offset);
   };
-  std::vector<sock_filter> filter;
   if (senders.openAddress) {
     filter.push_back(load(kDestinationAddress));
     filter.push_back({BPF_JMP | BPF_JEQ | BPF_K, 0, 1, ntohl(*senders.openAddress)});

@@ -22,9 +22,19 @@ struct Senders {
   bool isAnybody = false;
 };
 
-/// Installs the filter for `senders` as a program of the kernel's classic packet filter (socket(7), SO_ATTACH_FILTER).
+/// UDP packets that a socket does not receive either, whoever sends them.
+struct RefusedKind {
+  /// Where in the packet's content its kind is.
+  std::uint32_t offset = 0;
+  /// The byte there, such as the tag of protobuf's field.
+  std::uint8_t tag = 0;
+  /// The least value of the byte after it that is refused.
+  std::uint8_t least = 0;
+};
+
+/// Installs the filter as a program of the kernel's classic packet filter (socket(7), SO_ATTACH_FILTER).
 /// @return Whether it is in force; not if there are more than `kMostAddresses`.
-bool limitSenders(int socket, const Senders& senders);
+bool limitSenders(int socket, const Senders& senders, const std::optional<RefusedKind>& refused = std::nullopt);
 
 /// Lets a socket receive nothing, as `limitSenders` does.
 bool refuseSenders(int socket);

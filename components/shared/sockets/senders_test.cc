@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <string>
 
 namespace pongsim::shared {
 namespace {
@@ -29,10 +30,10 @@ class SendersTest : public testing::Test {
   }
 
   /// @return Whether what is sent arrives: on one machine at once.
-  bool hears() {
-    std::array<char, 3> word{'a', 'b', 'c'};
+  bool hears(const std::string& word = "abc") {
+    std::array<char, 3> received{};
     send(sender_, word.data(), word.size(), 0);
-    return recv(receiver_, word.data(), word.size(), MSG_DONTWAIT) == static_cast<ssize_t>(word.size());
+    return recv(receiver_, received.data(), received.size(), MSG_DONTWAIT) == static_cast<ssize_t>(word.size());
   }
 
   int receiver_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -58,6 +59,14 @@ TEST_F(SendersTest, AreLimitedInNumber) {
   EXPECT_TRUE(limitSenders(receiver_, {.addresses = std::vector<std::uint32_t>(Senders::kMostAddresses, 1)}));
   EXPECT_TRUE(hears());
   EXPECT_FALSE(limitSenders(receiver_, {.addresses = std::vector<std::uint32_t>(Senders::kMostAddresses + 1, 1)}));
+}
+
+TEST_F(SendersTest, SendWhatIsOfNoRefusedKind) {
+  for (const Senders& senders : {Senders{}, Senders{.addresses = {}, .isAnybody = true}}) {
+    ASSERT_TRUE(limitSenders(receiver_, senders, RefusedKind{.offset = 1, .tag = 'b', .least = 'c'}));
+    for (const char* kept : {"abb", "acc", "bcd", "ab", "a", ""}) EXPECT_TRUE(hears(kept)) << kept;
+    for (const char* refused : {"abc", "abz"}) EXPECT_FALSE(hears(refused)) << refused;
+  }
 }
 
 }  // namespace
