@@ -23,7 +23,7 @@ html_sidebars = {
 
 # the pages in the sidebar, in the order of the README's table
 CHAPTERS = {
-    "Getting started": ["installation", "tutorials", "cli", "fortress", "ci"],
+    "Getting started": ["installation", "tutorials", "cli", "gazebo", "ci"],
     "Worlds and robots": ["sdf", "urdf", "fuel", "systems", "sensors"],
     "Connecting": ["ros2", "ign", "web", "logs", "security"],
     "Python": ["python", "gym", "sweeps"],

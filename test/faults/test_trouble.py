@@ -20,7 +20,7 @@ PROGRAM = os.environ["PONGSIM"]
 LIBRARY = os.environ["PONGSIM_FAULTS"]
 #: Worlds that start at once.
 WORLDS = int(os.environ.get("PONGSIM_FAULTS_WORLDS", "8"))
-#: Steps that a run may catch up on after it was held up, of 1 ms each (docs/fortress.md, "pace").
+#: Steps that a run may catch up on after it was held up, of 1 ms each (docs/gazebo.md, "pace").
 DEBT = 20
 
 
