@@ -9,6 +9,7 @@
 #include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
+#include "scaling_field.hh"
 #include "wind_model.hh"
 #include "wind_settings.hh"
 
@@ -22,7 +23,9 @@ class WindEffects : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Simulates wind and the force that it exerts on links.", Declaration::Place::kWorld);
     declaration
-        .parameter("force_approximation_scaling_factor", &scale_, "1/s", "force per mass and relative wind velocity")
+        .parameter(
+            "force_approximation_scaling_factor", &scale_, "1/s",
+            "force per mass and relative wind velocity; instead of a number, `<when>` elements give it by region")
         .atLeast(1e-6);
     declaration.element("horizontal",
                         "`<magnitude>` and `<direction>`, each with `<time_for_rise>` (1 s), `<noise>` and `<sin>`: a "
@@ -40,6 +43,8 @@ class WindEffects : public System {
     log_ = &context.log;
     world_ = &context.world;
     random_ = &context.random;
+    const Element* factor = context.sdf.child("force_approximation_scaling_factor");
+    if (factor != nullptr && !factor->children.empty()) field_.emplace(*factor);
     model_.emplace(readWindSettings(context.sdf, context.diagnostics), *random_);
     mean_ = world_->wind();
     findLinks();
@@ -103,9 +108,9 @@ class WindEffects : public System {
 
   /// The force acts at the centre of mass; the velocity is that of the link's origin, as in Fortress.
   void push(const Vector3& wind, double dt) {
-    // a larger factor would overshoot the wind's velocity, further in each step
-    const double scale = std::min(scale_, 1 / dt);
     for (WindyLink& each : links_) {
+      // a larger factor would overshoot the wind's velocity, further in each step
+      const double scale = std::min(field_ ? field_->at(each.link.pose().position) : scale_, 1 / dt);
       const Vector3 force = each.mass * scale * (wind - each.link.linearVelocity());
       each.link.addWrench(force, (each.link.pose().rotation * each.center).cross(force));
     }
@@ -123,6 +128,8 @@ class WindEffects : public System {
   }
 
   double scale_ = 1;
+  /// In place of the scale, if the file has one.
+  std::optional<ScalingField> field_;
 
   const Logger* log_ = nullptr;
   World* world_ = nullptr;

@@ -67,6 +67,21 @@ TEST(WindEffects, CarriesALinkAwayToItsOwnVelocity) {
   EXPECT_NEAR(velocityOf(world, "m").x(), 5, 1e-5);
 }
 
+TEST(WindEffects, PushesByRegionIfItIsTold) {
+  const std::string field =
+      "<force_approximation_scaling_factor><when zgt='0' zlt='5'>0.2</when><when zge='5'><k>0.5</k><rz>0 0 0.1 0</rz>"
+      "</when></force_approximation_scaling_factor>";
+  const auto at = [](const std::string& name, const std::string& height) {
+    return "<model name='" + name + "'><pose>0 0 " + height + " 0 0 0</pose>" + kInWind +
+           "<link name='link'><inertial><mass>2</mass></inertial></link></model>";
+  };
+  RunningWorld world(windy(field + kAtOnce, at("diver", "-1") + at("sailor", "1") + at("bird", "10")));
+  world.step(100);
+  EXPECT_EQ(velocityOf(world, "diver").norm(), 0);
+  EXPECT_NEAR(velocityOf(world, "sailor").x(), 5 * (1 - std::exp(-0.2 * 0.1)), 1e-3);
+  EXPECT_NEAR(velocityOf(world, "bird").x(), 5 * (1 - std::exp(-0.5 * 0.1)), 1e-3);
+}
+
 TEST(WindEffects, PushesAtTheCentreOfMass) {
   RunningWorld world(windy(kAtOnce, box("m", kInWind)));
   world.step(100);
