@@ -45,7 +45,13 @@ class TouchPlugin : public System {
                    "part of the names of collisions, such as world/W/model/M/link/L/collision/C")
         .required();
     declaration.parameter("time", &seconds_, "s", "how long the contact must last").required().atLeast(0);
-    declaration.parameter("namespace", &space_, "", "prefix of topic and service").required();
+    declaration.parameter("namespace", &space_, "", "prefix of topic and service").otherwise("/model/M/touch");
+    declaration
+        .parameter("collision", &collisionNames_, "",
+                   "only these collisions of the model count, by their own or their scoped name")
+        .otherwise("those of contact sensors");
+    declaration.parameter("create_contact_sensor_for_collision", &needsNoSensor_, "",
+                          "collisions count without a contact sensor, too");
     declaration.parameter("enabled", &startsEnabled_, "", "whether it is initially enabled");
     declaration.reads("contact");
     declaration.publishes("/NAMESPACE/touched", "ignition.msgs.Boolean", "`true`; the plugin is then disabled");
@@ -57,7 +63,10 @@ class TouchPlugin : public System {
     world_ = &context.world;
     node_ = &context.node;
     time_ = fromSeconds(std::min(seconds_, 1e9));
-    const std::string space = "/" + space_;
+    std::string space = "/" + (space_.empty() ? "touch" : space_);
+    for (std::optional<Model> model = context.model; space_.empty() && model; model = model->parent()) {
+      space = "/model/" + std::string(model->name()) + space;
+    }
     topic_ = cleanTopic(space + "/touched");
 
     forEachCollision(context.world.models(), [&](const Collision& collision) {
@@ -67,7 +76,11 @@ class TouchPlugin : public System {
       context.diagnostics.warning(sdf.child("target")->position,
                                   "no collision in the world has '" + target_ + "' in its name");
     }
-    watchContactSensors(*context.model);
+    watchCollisions(context);
+    if (watched_.empty() && !collisionNames_.empty()) {
+      refuse(*sdf.child("collision"),
+             "model '" + context.model->scopedName() + "' has no such collision with a contact sensor");
+    }
     if (watched_.empty()) {
       refuse(sdf, "model '" + context.model->scopedName() + "' has no contact sensor with a <collision>",
              "add a <sensor type=\"contact\"> to a link and name the collision in it");
@@ -82,7 +95,7 @@ class TouchPlugin : public System {
     } catch (const std::invalid_argument& error) {
       // such as that of a model's copy, which reports on the same topic, as in Fortress
       context.diagnostics.warning(
-          sdf.child("namespace")->position,
+          sdf.child(space_.empty() ? "target" : "namespace")->position,
           "model '" + context.model->scopedName() + "' can't be enabled or disabled: " + error.what());
     }
     setEnabled(startsEnabled_);
@@ -112,18 +125,31 @@ class TouchPlugin : public System {
   }
 
  private:
-  void watchContactSensors(const Model& model) {
-    for (const Link& link : model.links()) {
-      for (const Sensor& sensor : link.sensors()) {
-        const ContactSettings* settings = sensor.settings<ContactSettings>();
-        if (settings == nullptr) continue;
-        for (const Collision& collision : link.collisions()) {
-          if (std::ranges::find(settings->collisions, collision.name()) != settings->collisions.end()) {
-            watched_.push_back(collision.id());
-          }
+  /// Finds the model's collisions that count.
+  void watchCollisions(const SystemContext& context) {
+    for (const Link& link : context.model->links()) {
+      for (const Collision& collision : link.collisions()) {
+        const std::string name(collision.name());
+        const bool isNamed = std::ranges::find(collisionNames_, name) != collisionNames_.end() ||
+                             std::ranges::find(collisionNames_, collision.scopedName()) != collisionNames_.end();
+        if (!isNamed && !collisionNames_.empty()) continue;
+        if (needsNoSensor_ || hasContactSensor(link, name)) {
+          watched_.push_back(collision.id());
+        } else if (isNamed) {
+          context.diagnostics.warning(
+              context.sdf.child("collision")->position,
+              "collision '" + collision.scopedName() + "' has no contact sensor: it does not count",
+              "<create_contact_sensor_for_collision> makes one");
         }
       }
     }
+  }
+
+  static bool hasContactSensor(const Link& link, const std::string& collision) {
+    return std::ranges::any_of(link.sensors(), [&collision](const Sensor& sensor) {
+      const ContactSettings* settings = sensor.settings<ContactSettings>();
+      return settings != nullptr && std::ranges::find(settings->collisions, collision) != settings->collisions.end();
+    });
   }
 
   bool isTouching() {
@@ -147,6 +173,8 @@ class TouchPlugin : public System {
   std::string target_;
   double seconds_ = 0;
   std::string space_;
+  std::vector<std::string> collisionNames_;
+  bool needsNoSensor_ = false;
   World* world_ = nullptr;
   Node* node_ = nullptr;
   std::vector<CollisionId> targets_;

@@ -123,6 +123,35 @@ TEST_F(TouchPluginTest, CaresForItsTargetOnly) {
             std::vector<std::string>{"no collision in the world has 'cube' in its name"});
 }
 
+TEST_F(TouchPluginTest, HasANamespaceOfItsModelIfNoneIsGiven) {
+  start(worldWith("<target>ball</target><time>0.1</time><enabled>true</enabled>"));
+  const Subscription own = simulation_->transport().node().subscribe<ignition::msgs::Boolean>(
+      "/model/plate/touch/touched", [this](const auto& message) { received_.push_back(message.data()); });
+  simulation_->step(200);
+  EXPECT_EQ(received_.size(), 1U);
+}
+
+TEST_F(TouchPluginTest, NeedsNoSensorIfItIsTold) {
+  for (const char* names : {"", "<collision>top</collision>", "<collision>plate::slab::top</collision>"}) {
+    received_.clear();
+    start(worldWith(std::string(kParameters) + names +
+                        "<create_contact_sensor_for_collision>true</create_contact_sensor_for_collision>",
+                    ""));
+    simulation_->step(200);
+    EXPECT_EQ(received_.size(), 1U) << names;
+  }
+}
+
+TEST_F(TouchPluginTest, CountsOnlyTheCollisionsThatItIsTold) {
+  start(worldWith(std::string(kParameters) + "<collision>top</collision>"));
+  simulation_->step(200);
+  EXPECT_EQ(received_.size(), 1U);
+  EXPECT_EQ(complaintsAbout(worldWith(std::string(kParameters) + "<collision>bottom</collision>"))[0],
+            "touchplugin of plate is left out: model 'plate' has no such collision with a contact sensor");
+  EXPECT_EQ(complaintsAbout(worldWith(std::string(kParameters) + "<collision>top</collision>", ""))[0],
+            "collision 'plate::slab::top' has no contact sensor: it does not count");
+}
+
 TEST_F(TouchPluginTest, ReportsTheTouchesOfACopyToo) {
   start(worldWith(kParameters));
   Diagnostics diagnostics;
