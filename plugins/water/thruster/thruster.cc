@@ -122,6 +122,7 @@ void Thruster::declare(Declaration& declaration) {
                          "whether there is the deadband; `<topic>/enable_deadband` with that parameter");
   declaration.publishes("/model/NAMESPACE/joint/J/ang_vel", "ignition.msgs.Double",
                         "speed of the propeller [rad/s], in each step; `<topic>/ang_vel` with that parameter");
+  declaration.sharesTopics();
   declaration.publishes("/model/NAMESPACE/joint/J/force", "ignition.msgs.Double",
                         "with `<use_angvel_cmd>`, thrust [N], in place of `ang_vel`; `<topic>/force` likewise");
 }
