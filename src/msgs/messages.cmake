@@ -5,8 +5,8 @@ find_path(ignition_msgs_proto_dir ignition/msgs/entity.proto PATHS ${ignition_ms
 set(folder ${CMAKE_BINARY_DIR}/messages)
 file(MAKE_DIRECTORY ${folder})
 set(sources)
-foreach(name dataframe entity_wrench odometry_with_covariance pose_with_covariance twist_with_covariance
-        wheel_slip_parameters_cmd)
+foreach(name attach_detach_request dataframe entity_wrench odometry_with_covariance pose_with_covariance result
+        twist_with_covariance wheel_slip_parameters_cmd)
   if(EXISTS ${ignition_msgs_proto_dir}/ignition/msgs/${name}.proto)
     continue()
   endif()
