@@ -22,7 +22,7 @@ constexpr const char* kCoefficients =
 std::string worldWith(const std::string& parameters) {
   return "<gravity>0 0 0</gravity><model name='ship'><link name='hull'><pose>0 0 0 0 0 1.5707963267948966</pose>"
          "<inertial><mass>50</mass><inertia><ixx>200</ixx><iyy>200</iyy><izz>200</izz></inertia></inertial></link>"
-         "<plugin filename='gz-sim-lighter-than-air-dynamics-system' name='gz::sim::systems::LighterThanAirDynamics'>" +
+         "<plugin filename='gz-sim-lighter_than_air_dynamics-system' name='gz::sim::systems::LighterThanAirDynamics'>" +
          parameters + "</plugin></model>";
 }
 
@@ -60,7 +60,7 @@ TEST(LighterThanAirDynamics, GoesOnWithTheSameBitsFromASavedState) {
 }
 
 TEST(LighterThanAirDynamics, SaysWhatIsMissing) {
-  const std::string left = "lighter-than-air-dynamics of ship is left out: ";
+  const std::string left = "lighter_than_air_dynamics of ship is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(kCoefficients)), std::vector{left + "no <link_name> is given"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(std::string("<link_name>keel</link_name>") + kCoefficients)),
             std::vector{left + "<link_name> 'keel' is not a link of model 'ship'"});
