@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "assets/picture_file.hh"
+#include "assets/images/picture_file.hh"
 #include "support/rendering/drawn_world.hh"
 #include "support/temp_folder.hh"
 

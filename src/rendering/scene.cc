@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "assets/ground.hh"
+#include "assets/meshes/ground.hh"
 #include "pongsim/geometry/rotation_between.hh"
 #include "world/actor_motion.hh"
 

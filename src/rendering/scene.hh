@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "assets/picture_file.hh"
+#include "assets/images/picture_file.hh"
 #include "assets/problem.hh"
 #include "description/actor.hh"
 #include "description/light.hh"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "assets/picture_file.hh"
+#include "assets/images/picture_file.hh"
 #include "rendering/gl.hh"
 #include "rendering/surface.hh"
 

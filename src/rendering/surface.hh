@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "assets/mesh_look.hh"
+#include "assets/meshes/mesh_look.hh"
 #include "description/geometry.hh"
 #include "description/triangle_mesh.hh"
 #include "pongsim/types.hh"

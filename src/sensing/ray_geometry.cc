@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "assets/ground.hh"
+#include "assets/meshes/ground.hh"
 #include "pongsim/geometry/rotation_between.hh"
 
 namespace pongsim::sensing {

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "assets/mesh_store.hh"
+#include "assets/meshes/mesh_store.hh"
 #include "assets/problem.hh"
 #include "description/geometry.hh"
 #include "description/triangle_mesh.hh"

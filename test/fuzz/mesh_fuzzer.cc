@@ -7,8 +7,8 @@
 #include <string_view>
 #include <variant>
 
-#include "assets/mesh_file.hh"
-#include "assets/mesh_look.hh"
+#include "assets/meshes/mesh_file.hh"
+#include "assets/meshes/mesh_look.hh"
 #include "require.hh"
 #include "support/temp_folder.hh"
 

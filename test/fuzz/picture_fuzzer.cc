@@ -6,8 +6,8 @@
 #include <string_view>
 #include <variant>
 
-#include "assets/gray_image.hh"
-#include "assets/picture_file.hh"
+#include "assets/images/gray_image.hh"
+#include "assets/images/picture_file.hh"
 #include "require.hh"
 #include "support/temp_folder.hh"
 

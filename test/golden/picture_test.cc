@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "assets/picture_file.hh"
+#include "assets/images/picture_file.hh"
 #include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "assets/finder.hh"
-#include "assets/mesh_store.hh"
+#include "assets/meshes/mesh_store.hh"
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 #include "sdf/includes/addresses.hh"

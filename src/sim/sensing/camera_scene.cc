@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "assets/picture_file.hh"
+#include "assets/images/picture_file.hh"
 #include "rendering/osmesa.hh"
 #include "rendering/renderer.hh"
 #include "rendering/scene.hh"

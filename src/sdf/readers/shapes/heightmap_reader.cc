@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "assets/ground.hh"
+#include "assets/meshes/ground.hh"
 #include "sdf/includes/asset_file.hh"
 #include "sdf/text/values.hh"
 
