@@ -1,15 +1,14 @@
 // Arbitrary bytes as received RTPS messages, each after its length in two bytes. The filter must end, stay within
 // the bytes, and change nothing in them but the lease.
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "require.hh"
 #include "shared/rtps/rtps_message.hh"
+#include "split_messages.hh"
 #include "transport/udp/rtps_filter.hh"
 
 namespace {
@@ -23,10 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   RtpsFilter filter({.isDiscovery = [](std::uint32_t port) { return port % 2 == 0; },
                      .isOpen = [](const pongsim::shared::RtpsAddress&) { return true; }});
   RtpsFilter::TimePoint now{};
-  for (std::span<const std::uint8_t> rest(data, size); rest.size() > 2;) {
-    const std::size_t length = std::min<std::size_t>(rest[0] + 256U * rest[1], rest.size() - 2);
-    // a copy, so that the sanitizer detects reads past its end
-    std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
+  pongsim::fuzz::splitMessages({data, size}, [&](std::vector<std::uint8_t>& message, bool) {
     const std::vector<std::uint8_t> before = message;
     filter.decide(message, {0x7f000001, 7410}, RtpsFilter::Side::kLoopback, now);
     const auto read = pongsim::shared::readRtpsMessage(before);
@@ -38,7 +34,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::size_t i = 0; i < message.size(); ++i) changed += message[i] != before[i] ? 1 : 0;
     pongsim::fuzz::require(changed <= kLeaseBytes * leases);
     now += std::chrono::milliseconds(100);
-    rest = rest.subspan(2 + length);
-  }
+  });
   return 0;
 }

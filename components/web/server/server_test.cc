@@ -21,6 +21,7 @@
 
 #include "support/temp_folder.hh"
 #include "support/wait_until.hh"
+#include "support/web/echo_protocol.hh"
 #include "web/test/raw_client.hh"
 
 namespace pongsim::web {
@@ -31,34 +32,13 @@ using test::RawClient;
 
 constexpr const char* kEcho = "Sec-WebSocket-Protocol: other, echo\r\n";
 
-/// Sends back what it receives, and performs some actions requested by text.
-class EchoSession final : public Session {
+/// Keeps its clients, also beyond the ends of their connections.
+class KeepingEchoProtocol final : public EchoProtocol {
  public:
-  explicit EchoSession(std::shared_ptr<Client> client) : client_(std::move(client)) {}
-  void text(std::string_view message) override {
-    if (message == "fail") throw std::runtime_error("it was told to");
-    if (message == "close") return client_->close(1008, "you asked");
-    if (message == "may I?") return client_->sendText(client_->mayWrite() ? "yes" : "no");
-    client_->sendText(std::string(message));
-  }
-  void binary(std::span<const std::byte> message) override {
-    Payload payload(message.size());
-    std::ranges::copy(message, payload.bytes().begin());
-    client_->sendBinary({.head = "echo:", .body = payload});
-  }
-
- private:
-  std::shared_ptr<Client> client_;
-};
-
-class EchoProtocol final : public Protocol {
- public:
-  std::vector<std::string> names() const override { return {"echo", ""}; }
   std::unique_ptr<Session> open(const std::string& name, const std::shared_ptr<Client>& client) override {
     const std::lock_guard lock(mutex_);
     clients_.push_back(client);
-    client->sendText("hello " + name);
-    return std::make_unique<EchoSession>(client);
+    return EchoProtocol::open(name, client);
   }
   std::shared_ptr<Client> client(std::size_t number) {
     const std::lock_guard lock(mutex_);
@@ -96,7 +76,7 @@ class ServerTest : public testing::Test {
   pongsim::test::TempFolder folder_;
   Logger log_{"web"};
   ServerSettings settings_;
-  EchoProtocol protocol_;
+  KeepingEchoProtocol protocol_;
   std::unique_ptr<Server> server_;
 };
 

@@ -1,7 +1,6 @@
 // Arbitrary messages of a client: the first byte selects the protocol; then each message follows its length in two
 // bytes, of which the highest bit means binary. Sessions must end, and answer with valid messages only.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -17,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz/require.hh"
+#include "fuzz/split_messages.hh"
 #include "support/web/recorded_client.hh"
 #include "support/web/stepped_world.hh"
 #include "web/foxglove/protocol.hh"
@@ -34,7 +34,7 @@ class NoChannels final : public OwnChannels {
 };
 
 /// A world that lives as long as the process, with a topic and a service, and both protocols.
-struct Place {
+struct RunningWorld {
   std::shared_ptr<Worlds> worlds = std::make_shared<Worlds>();
   SteppedWorld world{worlds};
   NoChannels own;
@@ -56,21 +56,18 @@ void check(RecordedClient& client) {
 }  // namespace pongsim::web
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace pongsim;
   using namespace pongsim::web;
-  static Place place;
+  static RunningWorld running;
   if (size == 0) return 0;
   constexpr const char* kNames[] = {"foxglove.websocket.v1", "pongsim.web.v1", ""};
   const std::size_t choice = data[0] % std::size(kNames);
   const bool isFoxglove = *kNames[choice] != '\0';
   const auto client = std::make_shared<RecordedClient>();
   const std::unique_ptr<Session> session =
-      isFoxglove ? place.foxglove.open(kNames[choice], client) : place.gz.open("", client);
-  place.world.step();
-  for (std::span<const std::uint8_t> rest(data + 1, size - 1); rest.size() > 2;) {
-    const bool isBinary = (rest[1] & 0x80U) != 0;
-    const std::size_t length = std::min<std::size_t>(rest[0] + 256U * (rest[1] & 0x7fU), rest.size() - 2);
-    // a copy, so that the sanitizer detects reads past its end
-    const std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
+      isFoxglove ? running.foxglove.open(kNames[choice], client) : running.gz.open("", client);
+  running.world.step();
+  fuzz::splitMessages({data + 1, size - 1}, [&](const std::vector<std::uint8_t>& message, bool isBinary) {
     if (isBinary) {
       session->binary(std::as_bytes(std::span(message)));
     } else {
@@ -78,11 +75,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     im::StringMsg greeting;
     greeting.set_data("hello");
-    place.said.publish(greeting);
-    place.world.step();
+    running.said.publish(greeting);
+    running.world.step();
     client->free();
     check(*client);
-    rest = rest.subspan(2 + length);
-  }
+  });
   return 0;
 }
