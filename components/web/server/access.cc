@@ -52,6 +52,16 @@ bool isSameOrigin(const std::string& origin, const std::string& host) {
   return origin == "http://" + host || origin == "https://" + host;
 }
 
+/// @return Why a page of this origin is refused.
+std::string refusalOf(const std::string& origin) {
+  // browsers send this for pages in sandboxed frames, data: addresses and the like, which anybody can make
+  if (origin == "null")
+    return "a page without an origin ('null') can't be allowed: serve it from an address of its own";
+  std::string why = "the page of '" + shown(origin) + "' is not allowed";
+  if (originError(origin).empty()) why += "; use pongsim run --web-origin " + shown(origin) + " to allow it";
+  return why;
+}
+
 }  // namespace
 
 bool isOwnHost(const AccessRules& rules, std::string_view host) {
@@ -76,9 +86,7 @@ Permission judgeClient(const AccessRules& rules, const Visit& visit) {
   if (!origin.empty() && !isSameOrigin(origin, lower(visit.host))) {
     mayWrite = contains(rules.writingOrigins, origin);
     if (!mayWrite && !contains(rules.readingOrigins, origin)) {
-      return {Permission::Kind::kRefused, 403,
-              "the page of '" + shown(visit.origin) + "' is not allowed; use pongsim run --web-origin " +
-                  shown(visit.origin) + " to allow it"};
+      return {Permission::Kind::kRefused, 403, refusalOf(origin)};
     }
   }
   if (!rules.token.empty() && !isSameSecret(visit.token, rules.token)) {

@@ -30,6 +30,14 @@ TEST(Access, RefusesForeignPages) {
   }
 }
 
+TEST(Access, AdvisesOnlyWhatTheOptionAccepts) {
+  const auto whyNot = [](const char* origin) { return judgeClient({}, {kHost, origin, ""}).why; };
+  EXPECT_NE(whyNot("https://evil.example").find("--web-origin https://evil.example"), std::string::npos);
+  EXPECT_NE(whyNot("file://").find("--web-origin file://"), std::string::npos);
+  for (const char* origin : {"null", "https://evil.example/path"})
+    EXPECT_EQ(whyNot(origin).find("--web-origin"), std::string::npos) << whyNot(origin);
+}
+
 TEST(Access, RefusesNamesThatAreNotThisMachines) {
   AccessRules rules{.hostNames = {"robot"}};
   for (const char* host : {"evil.example:9002", "robot:9002", "192.0.2.7", "", "127.0.0.1.evil.example"}) {

@@ -135,8 +135,12 @@ bool Connection::receive(std::string_view part, std::size_t rest, bool isLastPie
   if (isClosing()) return true;
   const std::size_t room = limits_.messageBytes - message_.size();
   if (part.size() > room || rest > room - part.size()) {
-    return closeNow({LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
-                     "a message can have up to " + std::to_string(limits_.messageBytes) + " bytes"});
+    // the rest is read and dropped: if it were not, the system would reset the connection, and the client would not get
+    // the reason
+    message_ = {};
+    close(LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
+          "a message can have up to " + std::to_string(limits_.messageBytes) + " bytes");
+    return true;
   }
   const bool isWhole = rest == 0 && isLastPiece;
   if (isWhole && message_.empty()) {

@@ -6,6 +6,7 @@ import pathlib
 import signal
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
@@ -83,6 +84,20 @@ class BadClients(unittest.TestCase):
                 if opcode == 8:
                     self.assertEqual(int.from_bytes(payload[:2], "big"), 1009)
                     raise EOFError
+        self.check_that_it_goes_on()
+
+    def test_a_message_of_5_mib_is_answered_with_the_reason(self):
+        connection = self.connect()
+        self.assertEqual(connection.open(), 101)
+        # it is read while it is sent, as browsers do
+        sender = threading.Thread(target=connection.send, args=(b"x" * (5 * MEGABYTE), 2))
+        sender.start()
+        opcode = 0
+        while opcode != 8:
+            opcode, payload = connection.next()
+        self.assertEqual(int.from_bytes(payload[:2], "big"), 1009)
+        self.assertIn(b"up to 4194304 bytes", payload)
+        sender.join()
         self.check_that_it_goes_on()
 
     def test_600_slow_handshakes_keep_nobody_out(self):

@@ -53,6 +53,10 @@ export interface PanelKind {
   also?: string[];
   title: string;
   place: Dock;
+  /// Whether several of them can be open.
+  isMany?: boolean;
+  /// Whether all that it does changes the world, so that read-only clients can't use it.
+  isForWriting?: boolean;
   open(context: Context, settings: Settings): Panel;
 }
 

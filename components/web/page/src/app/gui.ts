@@ -40,7 +40,8 @@ export function guiSettingsOf(message: Message | null): GuiSettings {
     const settings = parsed(plugin.innerxml as string);
     if (kScenes.includes(plugin.filename as string)) gui.camera = parseSixfold(setting(settings, 'camera_pose') ?? '');
     const kind = panelFor(plugin.filename as string);
-    if (kind && (kind.id !== 'ViewAngle' || !gui.panels.some((each) => each.kind === kind))) gui.panels.push(wanted(kind, settings));
+    // several of Fortress's plugins may be one panel here
+    if (kind && (kind.isMany || !gui.panels.some((each) => each.kind === kind))) gui.panels.push(wanted(kind, settings));
   }
   return gui;
 }

@@ -20,6 +20,8 @@ export class Layout {
   private readonly docks = new Map<Dock, HTMLElement>();
   private open: OpenPanel[] = [];
   private nextId = 1;
+  private isReadOnly = false;
+  private readonly controls = new Set<HTMLFieldSetElement>();
 
   constructor() {
     for (const [place, name] of kDocks) {
@@ -35,7 +37,15 @@ export class Layout {
   add(kind: PanelKind, context: Context, settings: Settings = null, title = kind.title, place = kind.place): void {
     const panel = kind.open(context, settings);
     const id = `panel-${this.nextId++}`;
-    const body = h('div', { class: 'body', id: `${id}-body` }, panel.element);
+    const body = h('div', { class: 'body', id: `${id}-body` });
+    if (kind.isForWriting) {
+      const controls = h('fieldset', { class: 'controls' }, panel.element);
+      this.controls.add(controls);
+      controls.disabled = this.isReadOnly;
+      body.append(h('p', { class: 'hint read-only', hidden: !this.isReadOnly }, 'Read-only: this page can only look'), controls);
+    } else {
+      body.append(panel.element);
+    }
     const fold = iconButton('▾', `Fold ${title}`, () => {
       body.hidden = !body.hidden;
       fold.textContent = body.hidden ? '▸' : '▾';
@@ -47,6 +57,15 @@ export class Layout {
     this.docks.get(place)!.append(frame);
     this.open.push({ kind, frame, panel });
     this.showDocks();
+  }
+
+  /// Switches off the panels that change the world.
+  setReadOnly(isReadOnly: boolean): void {
+    this.isReadOnly = isReadOnly;
+    for (const controls of this.controls) {
+      controls.disabled = isReadOnly;
+      (controls.previousElementSibling as HTMLElement).hidden = !isReadOnly;
+    }
   }
 
   has(kind: PanelKind): boolean {
@@ -69,6 +88,7 @@ export class Layout {
     const closed = this.open.find((each) => each.frame === frame);
     if (!closed) return;
     closed.panel.close?.();
+    for (const controls of frame.querySelectorAll('fieldset')) this.controls.delete(controls);
     frame.remove();
     this.open = this.open.filter((each) => each !== closed);
     this.showDocks();

@@ -20,6 +20,7 @@ export class Shell {
   readonly layout = new Layout();
   readonly tools: HTMLElement;
   private readonly ends = new Ends();
+  private readonly nothing = h('p', { class: 'nothing', role: 'status', hidden: true }, 'Nothing in this world has a <visual>, so there is nothing to see');
   private placed: ((pose: Pose | null) => void) | null = null;
 
   constructor(connection: Connection, name: string, log: MessageLog) {
@@ -42,7 +43,9 @@ export class Shell {
     };
     this.context.view = this.makeView();
     this.ends.add(world.restarted.on(() => this.context.history.clear()));
-    this.tools = toolbar(this.context, this.layout, () => this.showTheme());
+    this.ends.add(connection.infoReceived.on(() => this.layout.setReadOnly(connection.isReadOnly)));
+    this.layout.setReadOnly(connection.isReadOnly);
+    this.tools = toolbar(this.context, this.layout, this.ends, () => this.showTheme());
     this.connectView();
     this.showTheme();
     void this.openPanels();
@@ -62,6 +65,7 @@ export class Shell {
 
   private makeView(): View | null {
     const { stage } = this.layout;
+    stage.append(this.nothing);
     const { connection, world, selection, log } = this.context;
     if (!View.supported()) {
       stage.append(h('p', { class: 'no-view', role: 'status' },
@@ -93,6 +97,7 @@ export class Shell {
       world.changed.on(() => {
         if (!world.scene) return;
         view.setScene(world.scene);
+        this.nothing.hidden = view.hasVisuals;
         // frames contain only entities that move, so poses of the others have to be applied again
         view.applyFrame(world.allPoses());
       }),

@@ -4,7 +4,7 @@ import { spawnShape } from '../panels/spawn.ts';
 import type { Tool } from '../view/index.ts';
 import { copyAsSdf, removeChosen, undo } from './actions.ts';
 import { saveScreenshot, toggleVideo } from './capture.ts';
-import type { Context } from './context.ts';
+import type { Context, Ends } from './context.ts';
 import { h, iconButton } from './dom.ts';
 import { icon, type Icon } from './icons.ts';
 import type { Layout } from './layout.ts';
@@ -30,7 +30,8 @@ function menu(title: string, items: Item[] | (() => [name: string, act: (() => v
     h('button', { type: 'button', disabled: !act, onclick: (event: MouseEvent) => act && choose(act, event) }, name);
   const list = h('div', { class: 'items' });
   details.append(list);
-  if (typeof items === 'function') details.addEventListener('toggle', () => details.open && list.replaceChildren(...items().map(button)));
+  // before it opens, so that the next key finds the items
+  if (typeof items === 'function') summary.addEventListener('click', () => list.replaceChildren(...items().map(button)));
   else list.append(...items.map(button));
   details.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !details.open) return;
@@ -45,10 +46,16 @@ function menu(title: string, items: Item[] | (() => [name: string, act: (() => v
 }
 
 /// @param themed Called with the theme that the user has selected.
-export function toolbar(context: Context, layout: Layout, themed: () => void): HTMLElement {
-  const { view, history } = context;
+/// @param ends Gets what ends with the world.
+export function toolbar(context: Context, layout: Layout, ends: Ends, themed: () => void): HTMLElement {
+  const { view, history, connection } = context;
   const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
   const toolButtons = tools.map(([tool, name]) => iconButton(icon(tool), name, () => view?.setTool(tool), { disabled: !view, 'data-tool': tool }));
+  const showAccess = (): void => {
+    for (const button of toolButtons.slice(1)) button.disabled = !view || connection.isReadOnly;
+  };
+  ends.add(connection.infoReceived.on(showAccess));
+  showAccess();
   let isFilming = false;
   const film = iconButton(icon('film'), 'Record a video', async () => {
     isFilming = await toggleVideo(context, isFilming);
@@ -58,19 +65,17 @@ export function toolbar(context: Context, layout: Layout, themed: () => void): H
   }, { disabled: !view });
   const openPanel = (id: string): void => {
     const kind = kPanels.find((each) => each.id === id)!;
-    // of these kinds, several panels can be open
-    const isMany = ['Plotting', 'TopicEcho', 'ImageDisplay', 'VisualizeLidar', 'PointCloud', 'Publisher'].includes(id);
-    if (isMany || !layout.has(kind)) layout.add(kind, context);
+    if (kind.isMany || !layout.has(kind)) layout.add(kind, context);
     layout.reveal(kind);
   };
   return h('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Tools' },
     ...toolButtons,
-    menu('Add', kShapeNames.map((shape) => [shape, () => void spawnShape(context, shape)])),
+    menu('Add', () => kShapeNames.map((shape) => [shape, connection.isReadOnly ? null : () => void spawnShape(context, shape)])),
     menu('Edit', () => [
       [`Undo ${history.nextUndo ?? ''}`.trim(), history.nextUndo ? () => void undo(context) : null],
       [`Redo ${history.nextRedo ?? ''}`.trim(), history.nextRedo ? () => void undo(context, true) : null],
       ['Copy as SDF', () => void copyAsSdf(context)],
-      ['Remove', () => void removeChosen(context)],
+      ['Remove', connection.isReadOnly ? null : () => void removeChosen(context)],
     ]),
     iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context), { disabled: !view }),
     film,

@@ -18,6 +18,7 @@ export function openForce(context: Context): Panel {
   const vector = (unit: string): HTMLInputElement[] => ['x', 'y', 'z'].map((axis) => numberField(0, { 'aria-label': `${axis} [${unit}]` }));
   const [force, torque] = [vector('N'), vector('N m')];
   const note = h('p', { class: 'hint', role: 'status' });
+  const missing = h('p', { class: 'hint' }, 'This world has no system ApplyLinkWrench, which applies forces');
   const xyz = (fields: HTMLInputElement[]): object => {
     const [x, y, z] = fields.map((field) => field.valueAsNumber || 0);
     return { x, y, z };
@@ -33,10 +34,15 @@ export function openForce(context: Context): Panel {
     try {
       if (with_) connection.publish(topic, 'ignition.msgs.EntityWrench', { entity: whose, wrench: { force: xyz(force), torque: xyz(torque) } });
       else connection.publish(topic, 'ignition.msgs.Entity', whose);
-      note.textContent = 'Sent; the world needs the system ApplyLinkWrench to apply it';
+      note.textContent = 'Sent';
     } catch (fault) {
       note.textContent = (fault as Error).message;
     }
+  };
+  // the topic is there while the system listens to it
+  const showSystem = (): void => {
+    const isThere = connection.channels.has(world.path('wrench'));
+    missing.hidden = isThere;
   };
   const show = (): void => {
     const chosen = world.entities.get(selection.id);
@@ -48,12 +54,13 @@ export function openForce(context: Context): Panel {
     const own = links.find(({ id }) => id === selection.id);
     if (own) link.value = String(own.id);
   };
-  ends.add(selection.changed.on(show), world.changed.on(show));
+  ends.add(selection.changed.on(show), world.changed.on(show), connection.channelsChanged.on(showSystem));
   show();
+  showSystem();
   const button = (text: string, act: () => void): HTMLElement => h('button', { type: 'button', onclick: act }, text);
   const element = h('div', { class: 'force' }, h('p', {}, name), labelled('Link', link),
     h('fieldset', {}, h('legend', {}, 'Force [N]'), ...force), h('fieldset', {}, h('legend', {}, 'Torque [N m]'), ...torque),
     h('div', { class: 'row' }, button('For one step', () => send('', true)), button('From now on', () => send('/persistent', true)),
-      button('End', () => send('/clear', false))), note);
+      button('End', () => send('/clear', false))), missing, note);
   return { element, close: ends.end };
 }

@@ -17,10 +17,10 @@ test('lines may be longer than their pixels', () => {
   assert.deepEqual([...imagePixels(image(1, 1, 2, [7, 0, 0, 0, 9], 4)).pixels], [7, 7, 7, 255, 9, 9, 9, 255]);
 });
 
-test('depths are from black to white, and the infinite is black', () => {
-  const bytes = new Uint8Array(Float32Array.of(1, 3, Infinity, 2).buffer);
-  const { pixels } = imagePixels(image(13, 4, 1, [...bytes]));
-  assert.deepEqual([0, 4, 8, 12].map((at) => pixels[at]), [0, 255, 0, 128]);
+test('depths are from black to white, and what is beyond the range looks far', () => {
+  const bytes = new Uint8Array(Float32Array.of(1, 3, Infinity, 2, -Infinity, NaN).buffer);
+  const { pixels } = imagePixels(image(13, 6, 1, [...bytes]));
+  assert.deepEqual([0, 4, 8, 12, 16, 20].map((at) => pixels[at]), [0, 255, 255, 128, 0, 0]);
 });
 
 test('what is cut off or of no known format is refused', () => {

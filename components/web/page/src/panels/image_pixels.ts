@@ -12,8 +12,8 @@ const kFormats: Record<number, { bytes: number; read: (data: DataView, at: numbe
   13: { bytes: 4, read: (data, at) => data.getFloat32(at, true) },
 };
 
-/// Converts an image to 4 bytes per pixel. Depths and temperatures are grey, from black (smallest) to white (largest);
-/// infinite values and NaN are black.
+/// Converts an image to 4 bytes per pixel. Depths and temperatures are grey, from black (smallest) to white (largest). As
+/// depth cameras mean it, infinity is farther than all others, minus infinity nearer; NaN is black.
 /// @throws Error if the format is not supported, or bytes are missing.
 export function imagePixels(image: Message): { width: number; height: number; pixels: Uint8ClampedArray<ArrayBuffer> } {
   const [width, height] = [image.width as number, image.height as number];
@@ -46,5 +46,5 @@ function spread(values: Float32Array, pixels: Uint8ClampedArray): void {
     most = Math.max(most, value);
   }
   const scale = most > least ? 255 / (most - least) : 0;
-  values.forEach((value, i) => pixels.fill(Number.isFinite(value) ? (value - least) * scale : 0, 4 * i, 4 * i + 3));
+  values.forEach((value, i) => pixels.fill(value === Infinity ? 255 : Number.isFinite(value) ? (value - least) * scale : 0, 4 * i, 4 * i + 3));
 }

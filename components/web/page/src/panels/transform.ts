@@ -8,7 +8,7 @@ import type { Tool } from '../view/index.ts';
 const kAxes = ['X [m]', 'Y [m]', 'Z [m]', 'Roll [rad]', 'Pitch [rad]', 'Yaw [rad]'];
 
 export function openTransform(context: Context): Panel {
-  const { world, selection, view } = context;
+  const { world, selection, view, connection } = context;
   const ends = new Ends();
   const fields = kAxes.map((name) => numberField(0, { 'aria-label': name, step: 0.1 }));
   const name = h('strong', {}, '–');
@@ -27,7 +27,7 @@ export function openTransform(context: Context): Panel {
     const id = top();
     const entity = world.entities.get(id);
     name.textContent = entity?.name ?? 'No model is selected';
-    apply.disabled = !entity;
+    apply.disabled = !entity || connection.isReadOnly;
     if (!entity || isEdited || fields.some((field) => field === document.activeElement)) return;
     const live = world.poses.get(entity.id);
     const message = live && { position: { x: live[0], y: live[1], z: live[2] } };

@@ -239,6 +239,11 @@ export class View {
     this.sceneChanged();
   }
 
+  /// Whether the scene contains anything that cameras see.
+  get hasVisuals(): boolean {
+    return this.stage.content.visuals.length > 0;
+  }
+
   applyFrame(frame: Frame): void {
     const hasMoved = this.stage.places.apply(frame);
     this.drag.received(frame.ids);

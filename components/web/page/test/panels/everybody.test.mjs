@@ -1,8 +1,10 @@
 // Accessibility and robustness: keyboard, screen reader, narrow screen, no WebGL, a server that ends.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { openPage, openPanel, panel, pongsim, repository, until } from './page.mjs';
+import { choose, openPage, openPanel, panel, pongsim, repository, until } from './page.mjs';
 
 const axe = readFileSync('node_modules/axe-core/axe.min.js', 'utf8');
 const world = `${repository}worlds/pong_world.sdf`;
@@ -142,14 +144,43 @@ test('a browser without WebGL gets everything else, and is told', async () => {
   }
 });
 
+test('a world in which nothing can be seen says so', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'pongsim-page-'));
+  const file = join(folder, 'unseen.sdf');
+  writeFileSync(file, `<sdf version="1.9"><world name="unseen">
+    <plugin filename="ignition-gazebo-scene-broadcaster-system" name="ignition::gazebo::systems::SceneBroadcaster"/>
+    <model name="ghost"><link name="l"/></model></world></sdf>`);
+  const other = await openPage(file);
+  try {
+    await other.tab.getByText('there is nothing to see').waitFor();
+    await other.tab.locator('summary', { hasText: 'Add' }).focus();
+    for (const key of ['Enter', 'Tab', 'Enter', 'Enter']) await other.tab.keyboard.press(key);
+    await panel(other.tab, 'Entity tree').getByRole('treeitem', { name: 'box model' }).waitFor();
+    await other.tab.getByText('there is nothing to see').waitFor({ state: 'hidden' });
+  } finally {
+    await other.close();
+    rmSync(folder, { recursive: true });
+  }
+});
+
 test('who may only look sees the world, and changes nothing', async () => {
   const other = await openPage(world, { options: ['--paused', '--web-read-only'] });
   const { tab } = other;
   try {
     await tab.getByText('connected, read-only').waitFor();
     await panel(tab, 'Entity tree').getByRole('treeitem', { name: /^pong_bot model$/ }).waitFor();
-    await tab.getByRole('button', { name: 'Step' }).click();
+    await panel(tab, 'World control').getByText('this page can only look').waitFor();
+    for (const name of ['Play', 'Step', 'Reset', 'Move']) assert.ok(await tab.getByRole('button', { name, exact: true }).isDisabled(), name);
+    const teleop = await openPanel(tab, 'Teleop');
+    assert.ok(await teleop.getByRole('button', { name: 'Forward' }).isDisabled());
+    await tab.locator('summary', { hasText: 'Add' }).click();
+    assert.ok(await tab.getByRole('button', { name: 'box', exact: true }).isDisabled());
+    await tab.keyboard.press('Escape');
+    // keys are answered with the reason
+    await choose(tab, 'sun');
+    await tab.locator('body').press('Delete');
     await tab.locator('.toast.error', { hasText: 'this page is read-only' }).waitFor();
+    assert.deepEqual(await faults(tab), []);
     assert.deepEqual(other.errors, []);
   } finally {
     await other.close();

@@ -16,7 +16,7 @@ test('the panels that the world asks for are open, where it says', async () => {
   await panel(tab, 'Joint position controller').waitFor();
   const titles = await tab.locator('section.panel h2').allTextContents();
   assert.deepEqual(titles.sort(), [
-    'Entity tree', 'Front camera', 'Joint position controller', 'Visualize lidar', 'World control', 'World stats',
+    'Entity tree', 'Front camera', 'Joint position controller', 'Spawn', 'Visualize lidar', 'World control', 'World stats',
   ]);
   assert.equal(await tab.locator('.corner-right h2', { hasText: 'World control' }).count(), 1);
 });

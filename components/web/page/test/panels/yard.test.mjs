@@ -29,6 +29,7 @@ test('a force lasts until it is ended', async () => {
   const force = await openPanel(tab, 'Apply force torque');
   await choose(tab, 'block');
   await force.getByLabel('y [N]', { exact: true }).fill('-20');
+  assert.equal(await force.getByText('no system ApplyLinkWrench').isVisible(), false);
   await force.getByRole('button', { name: 'From now on' }).click();
   // messages and requests are handled in order: when `step` returns, the world has received the wrench
   await until(async () => {
@@ -124,6 +125,8 @@ test('a slider moves a joint, and the inspector has its position', async () => {
   const joints = await openPanel(tab, 'Joint position controller');
   await item('gate').locator('> .row .twist').click();
   await choose(tab, 'hinge');
+  // the controller names its own topic
+  assert.equal(await joints.getByLabel('Topic of hinge').inputValue(), '/hinge_target');
   const slider = joints.getByRole('slider', { name: 'hinge' });
   await slider.press('End');
   const position = async () => Number((await tab.locator('#inspector-joint').textContent()).split(',')[0]);

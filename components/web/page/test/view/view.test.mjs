@@ -422,14 +422,18 @@ describe('the view', { skip: without }, () => {
 
   test('a screenshot is a PNG of the size of the view, a video a WebM with pictures in it', async () => {
     await show(scenes.scene([scenes.robot()]), scenes.eyeAt(-4));
-    const [png, webm] = await tab.evaluate(async () => {
+    const [png, webm, ms] = await tab.evaluate(async () => {
       const head = async (blob) => [...new Uint8Array(await blob.arrayBuffer()).slice(0, 24)];
       const screenshot = await head(await window.view.screenshot());
       window.view.startVideo();
       for (let i = 0; i < 20; ++i) await window.drawn();
       const video = await window.view.stopVideo();
-      return [screenshot, [...(await head(video)), video.size]];
+      const bytes = new Uint8Array(await video.arrayBuffer());
+      const duration = bytes.findIndex((byte, i) => byte === 0x44 && bytes[i + 1] === 0x89 && bytes[i + 2] === 0x88);
+      const ms = duration < 0 ? NaN : new DataView(bytes.buffer).getFloat64(duration + 3);
+      return [screenshot, [...(await head(video)), video.size], ms];
     });
+    assert.ok(ms > 100 && ms < 60_000, `it is ${ms} ms long`);
     assert.deepEqual(png.slice(0, 8), [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
     assert.deepEqual(png.slice(16, 24), [0, 0, 1, 64, 0, 0, 0, 240]);
     assert.deepEqual(webm.slice(0, 4), [0x1a, 0x45, 0xdf, 0xa3]);

@@ -1,3 +1,5 @@
+import { withDuration } from './webm.ts';
+
 /// Supported video formats, best first.
 const kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
@@ -8,6 +10,7 @@ const rate = 30;
 export class Recorder {
   private readonly pieces: Blob[] = [];
   private readonly recorder: MediaRecorder;
+  private readonly begin = performance.now();
 
   /// @throws Error if this browser can't record video.
   constructor(canvas: HTMLCanvasElement) {
@@ -21,13 +24,21 @@ export class Recorder {
 
   /// @returns The video, a WebM file.
   stop(): Promise<Blob> {
-    return new Promise((resolve) => {
+    const length = performance.now() - this.begin;
+    return new Promise((resolve, reject) => {
       const finish = () => {
         for (const track of this.recorder.stream.getTracks()) track.stop();
-        resolve(new Blob(this.pieces, { type: 'video/webm' }));
+        this.file(length).then(resolve, reject);
       };
       this.recorder.addEventListener('stop', finish, { once: true });
       this.recorder.stop();
     });
+  }
+
+  /// @param length [ms]
+  private async file(length: number): Promise<Blob> {
+    const [first, ...rest] = this.pieces;
+    const head = first ? [withDuration(new Uint8Array(await first.arrayBuffer()), length)] : [];
+    return new Blob([...head, ...rest], { type: 'video/webm' });
   }
 }
