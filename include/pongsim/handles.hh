@@ -37,11 +37,13 @@ class LinkGroup;
 class Scene;
 class Simulation;
 class Model;
+class PhysicalProperties;
+class RayScene;
 class Sensor;
 class Visual;
 struct UrdfSource;
 
-/// Mass properties of a link, as in the file.
+/// Mass properties of a link, as in the file unless changed (`PhysicalProperties`).
 struct MassInfo {
   /// [kg]
   double mass = 0;
@@ -93,7 +95,7 @@ class PONGSIM_API Link {
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s] immediately, both in the world
   /// frame. No effect on a static link. A velocity that is not finite is refused with a warning.
   void setVelocity(const Vector3& linear, const Vector3& angular);
-  /// @return Its mass properties; constant.
+  /// @return Its mass properties; constant unless changed by `PhysicalProperties`.
   MassInfo mass() const;
   /// Moves the link, between two steps. A link connected by a joint can't be moved.
   Outcome<void> setPose(const Pose& X_WorldLink, AfterMove after = AfterMove::kKeepVelocity);
@@ -181,8 +183,8 @@ struct Wrench {
   Vector3 torque = Vector3::Zero();
 };
 
-/// An axis of a joint, as in the file. Units are [rad] for a rotational axis, [m] for a translational one, and their
-/// derivatives.
+/// An axis of a joint, as in the file unless changed (`PhysicalProperties`). Units are [rad] for a rotational axis, [m]
+/// for a translational one, and their derivatives.
 struct JointAxisInfo {
   /// Unit vector in the joint frame.
   Vector3 xyz = Vector3::UnitZ();
@@ -410,6 +412,8 @@ class PONGSIM_API World {
   friend class BeamScene;
   friend class CameraScene;
   friend class LinkGroup;
+  friend class PhysicalProperties;
+  friend class RayScene;
   friend class Scene;
   sim::Access* access_;
 };

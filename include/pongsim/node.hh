@@ -400,9 +400,9 @@ class PONGSIM_API Transport {
   /// throws the first; the others are logged.
   std::size_t dispatch();
 
-  /// Drops the messages that wait for `dispatch`, and the requests made with `Node::request`, whose `answered` is called.
-  /// Latched messages stay, because they hold until the next one, and so do requests from elsewhere, whose callers wait.
-  /// For a simulation that is reset or restored: what was sent before belongs to the time before.
+  /// Drops the messages that wait for `dispatch`, and the requests made with `Node::request`, whose `answered` is
+  /// called. Latched messages stay, because they hold until the next one, and so do requests from elsewhere, whose
+  /// callers wait. For a simulation that is reset or restored: what was sent before belongs to the time before.
   void discard();
 
   /// Waits for messages, up to `timeout` or until `wake` is called; then does the same as `dispatch`.

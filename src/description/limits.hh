@@ -21,4 +21,9 @@ inline constexpr double kLongestSavedStep = 1e6;
 /// Of each component of a force on a link or joint between two steps [N or N m].
 inline constexpr double kStrongestSaved = 1e12;
 
+/// Bounds of a mass [kg], of a factor of an inertia, and of damping and friction that are changed while a world runs.
+inline constexpr double kLeastMass = 1e-12;
+inline constexpr double kLargestMass = 1e12;
+inline constexpr double kLargestCoefficient = 1e12;
+
 }  // namespace pongsim::description

@@ -70,7 +70,9 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       id_(record.id),
       moves_(isMoving(record)),
       hasGravity_(record.description->gravity),
-      moments_(toBullet(mass.moments)),
+      mass_{mass.mass, 1},
+      momentsOfFile_(toBullet(mass.moments)),
+      moments_(momentsOfFile_),
       isRound_(mass.moments.x() == mass.moments.y() && mass.moments.y() == mass.moments.z()),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
@@ -98,6 +100,13 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
 void Body::setLink(world::Slot link) {
   link_ = link;
   rigid_.setUserIndex(static_cast<int>(link));
+}
+
+void Body::setMass(const Mass& mass) {
+  mass_ = mass;
+  moments_ = mass.inertiaFactor == 1 ? momentsOfFile_ : momentsOfFile_ * mass.inertiaFactor;
+  rigid_.setMassProps(mass.mass, moments_);
+  rigid_.updateInertiaTensor();
 }
 
 void Body::setGravity(const Vector3& gravity) {
@@ -158,7 +167,15 @@ void Body::transfer(StateArchive& archive) {
                 isWithin(linear, description::kFastestSaved) && isWithin(angular, description::kFastestSaved) &&
                 isWithin(force, description::kStrongestSaved) && isWithin(torque, description::kStrongestSaved));
   shape_.transfer(archive);
+  Mass mass = mass_;
+  if (moves_) {
+    archive(mass.mass);
+    archive(mass.inertiaFactor);
+    archive.check(mass.mass >= description::kLeastMass && mass.mass <= description::kLargestMass &&
+                  mass.inertiaFactor >= description::kLeastMass && mass.inertiaFactor <= description::kLargestMass);
+  }
   if (!archive.isGiving()) return;
+  if (mass.mass != mass_.mass || mass.inertiaFactor != mass_.inertiaFactor) setMass(mass);
   rigid_.setWorldTransform(transform);
   rigid_.setInterpolationWorldTransform(transform);
   rigid_.updateInertiaTensor();

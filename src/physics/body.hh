@@ -38,6 +38,15 @@ class Body {
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
+  /// Mass [kg], and how many times the description's moments of inertia the present ones are.
+  struct Mass {
+    double mass = 0;
+    double inertiaFactor = 1;
+  };
+  const Mass& mass() const { return mass_; }
+  /// The centre of mass and the principal axes stay. Both numbers must be positive; call `setGravity` afterwards.
+  void setMass(const Mass& mass);
+
   /// @param gravity World frame [m/s^2]; has no effect on a link with gravity switched off.
   void setGravity(const Vector3& gravity);
 
@@ -74,7 +83,9 @@ class Body {
   LinkId id_;
   bool moves_;
   bool hasGravity_;
-  /// Principal moments of inertia [kg m^2], and whether they are all the same.
+  Mass mass_;
+  /// Principal moments of inertia of the description and now [kg m^2], and whether they are all the same.
+  const btVector3 momentsOfFile_;
   btVector3 moments_;
   bool isRound_;
   Pose X_LinkBody_;

@@ -448,6 +448,44 @@ std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) 
   return {part.slip1, part.slip2};
 }
 
+Engine::Mass Engine::mass(world::Slot link) const {
+  const Body::Mass& mass = parts_->bodies[link]->mass();
+  return {mass.mass, mass.inertiaFactor};
+}
+
+void Engine::setMass(world::Slot link, const Mass& mass) {
+  Body& body = *parts_->bodies[link];
+  assert(body.moves() && mass.mass > 0 && mass.inertiaFactor > 0);
+  body.setMass({mass.mass, mass.inertiaFactor});
+  body.setGravity(parts_->gravity);
+  parts_->stepper.forgetRest();
+}
+
+Engine::Feel Engine::feel(world::Slot link, std::size_t collision) const {
+  const LinkShape::Feel feel = parts_->bodies[link]->shape().feel(collision);
+  return {feel.mu, feel.mu2, feel.restitution};
+}
+
+void Engine::setFeel(world::Slot link, std::size_t collision, const Feel& feel) {
+  Body& body = *parts_->bodies[link];
+  const LinkShape::Feel wanted{feel.mu, feel.mu2, feel.restitution};
+  if (body.shape().feel(collision) == wanted) return;
+  body.shape().setFeel(collision, wanted);
+  // contact points keep what they were made with
+  parts_->stepper.collisions().moved(body.rigid());
+  parts_->stepper.forgetRest();
+}
+
+Engine::Resistance Engine::resistance(world::Slot joint, std::size_t axis) const {
+  const Joint::Resistance resistance = parts_->joints[joint]->resistance(axis);
+  return {resistance.damping, resistance.friction};
+}
+
+void Engine::setResistance(world::Slot joint, std::size_t axis, const Resistance& resistance) {
+  parts_->joints[joint]->setResistance({resistance.damping, resistance.friction}, axis);
+  parts_->stepper.forgetRest();
+}
+
 world::Slot Engine::slowedDown() const { return parts_->stepper.slowedDown(); }
 
 std::optional<Engine::Crowding> Engine::crowding() const {

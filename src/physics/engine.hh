@@ -126,6 +126,35 @@ class Engine {
   void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
   std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
 
+  /// Mass of a link [kg], and how many times the file's moments of inertia the present ones are.
+  struct Mass {
+    double mass = 0;
+    double inertiaFactor = 1;
+  };
+  /// @return Mass zero if the link does not move.
+  Mass mass(world::Slot link) const;
+  /// Changes the mass of a moving link; its centre of mass and principal axes stay. The numbers must be positive.
+  void setMass(world::Slot link, const Mass& mass);
+
+  /// Friction coefficients along both friction directions, and restitution.
+  struct Feel {
+    double mu = 0;
+    double mu2 = 0;
+    double restitution = 0;
+  };
+  Feel feel(world::Slot link, std::size_t collision) const;
+  /// The numbers must be finite and not negative. Discards the link's contacts.
+  void setFeel(world::Slot link, std::size_t collision, const Feel& feel);
+
+  /// Damping [N m s/rad or N s/m] and friction [N m or N] of a joint's axis.
+  struct Resistance {
+    double damping = 0;
+    double friction = 0;
+  };
+  Resistance resistance(world::Slot joint, std::size_t axis) const;
+  /// The numbers must be finite and not negative.
+  void setResistance(world::Slot joint, std::size_t axis, const Resistance& resistance);
+
   /// Takes links and their joints out of all steps, or back into them, after `entities` has set them aside or returned
   /// them. They keep their state. Contacts that still exist on return start with their former forces, so that links in
   /// contact only with others that have not moved continue with the same bits.

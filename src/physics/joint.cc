@@ -231,6 +231,12 @@ void Joint::transfer(StateArchive& archive) {
     if (archive.isGiving()) axis.velocityTarget = hasTarget ? std::optional(0.0) : std::nullopt;
     if (hasTarget) archive(*axis.velocityTarget);
     for (double* value : {&axis.force, &axis.position, &axis.velocity, &axis.appliedForce}) archive(*value);
+    archive(axis.isResistanceChanged);
+    if (axis.isResistanceChanged) {
+      archive(axis.limits.damping);
+      archive(axis.limits.friction);
+      archive.check(axis.limits.damping >= 0 && axis.limits.friction >= 0);
+    }
     transferVector(archive, axis.appliedAlong);
     archive.check(std::abs(axis.velocityTarget.value_or(0)) <= description::kFastestSaved &&
                   std::abs(axis.velocity) <= description::kFastestSaved &&

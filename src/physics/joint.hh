@@ -67,6 +67,17 @@ class Joint final {
     axes_[axis].mimic = &mimic;
   }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
+  /// What resists the motion of an axis: damping [N m s/rad or N s/m] and friction [N m or N].
+  struct Resistance {
+    double damping = 0;
+    double friction = 0;
+  };
+  Resistance resistance(std::size_t axis) const { return {axes_[axis].limits.damping, axes_[axis].limits.friction}; }
+  void setResistance(const Resistance& resistance, std::size_t axis) {
+    axes_[axis].limits.damping = resistance.damping;
+    axes_[axis].limits.friction = resistance.friction;
+    axes_[axis].isResistanceChanged = true;
+  }
   /// @return Whether any axis has a nonzero commanded force or velocity.
   bool isDriven() const;
   /// Clears the commands of the axes.
@@ -129,6 +140,8 @@ class Joint final {
   };
   struct Axis {
     Limits limits;
+    /// Whether damping and friction are no longer those of the description.
+    bool isResistanceChanged = false;
     std::optional<double> velocityTarget;
     /// Where the axis follows another one.
     const Joint* leader = nullptr;

@@ -97,13 +97,7 @@ void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::s
     std::ranges::fill(echoes, Echo{kNowhere, 0});
     return;
   }
-  if (distance > reach_) {
-    // the next power of two, so that few scans make the boxes larger
-    int exponent = 0;
-    const bool isPower = std::frexp(distance, &exponent) == 0.5;
-    reach_ = std::ldexp(1, isPower ? exponent - 1 : exponent);
-    commit();
-  }
+  reachTo(distance);
   const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();
   BeamQuery query{};
   rtcInitIntersectContext(&query.context);
@@ -121,6 +115,42 @@ void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::s
     moving_.cast(query);
     for (std::size_t i = 0; i < query.count; ++i) echoes[first + i] = echoOf(query.beams[i], beams.minRange);
   }
+}
+
+void Scene::cast(std::span<const Ray> rays, double maxRange, std::uint32_t visibilityMask,
+                 const std::function<void(std::size_t ray, const Beam& beam)>& use) {
+  double farthestOrigin = 0;
+  for (const Ray& ray : rays) {
+    const double distance = ray.origin.norm();
+    if (distance <= kMostDistance) farthestOrigin = std::max(farthestOrigin, distance);
+  }
+  reachTo(farthestOrigin);
+  BeamQuery query{};
+  rtcInitIntersectContext(&query.context);
+  query.visibilityMask = visibilityMask;
+  const double farthest = std::nextafter(maxRange, kNowhere);
+  for (std::size_t first = 0; first < rays.size(); first += kBeamsAtATime) {
+    query.count = std::min(kBeamsAtATime, rays.size() - first);
+    for (std::size_t i = 0; i < query.count; ++i) {
+      const auto& [origin, direction] = rays[first + i];
+      // what is too far away, or no number, sees nothing
+      const bool isWithin = origin.norm() <= kMostDistance;
+      query.beams[i] = {{isWithin ? origin : Vector3::Zero(), direction}, isWithin ? farthest : 0, nullptr};
+    }
+    still_.cast(query);
+    moving_.cast(query);
+    for (std::size_t i = 0; i < query.count; ++i) use(first + i, query.beams[i]);
+  }
+}
+
+/// Lets beams begin that far from the world's origin [m].
+void Scene::reachTo(double distance) {
+  if (distance <= reach_) return;
+  // the next power of two, so that few scans make the boxes larger
+  int exponent = 0;
+  const bool isPower = std::frexp(distance, &exponent) == 0.5;
+  reach_ = std::ldexp(1, isPower ? exponent - 1 : exponent);
+  commit();
 }
 
 void Scene::commit() {

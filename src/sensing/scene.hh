@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +12,7 @@
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/beam_scene.hh"
+#include "pongsim/sensing/ray_scene.hh"
 #include "pongsim/types.hh"
 #include "sensing/embree.hh"
 #include "sensing/group.hh"
@@ -51,8 +54,13 @@ class Scene {
   /// Like `BeamScene::cast`.
   void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes);
 
+  /// Calls `use` with the index of each ray and its beam, which knows what it has hit.
+  void cast(std::span<const Ray> rays, double maxRange, std::uint32_t visibilityMask,
+            const std::function<void(std::size_t ray, const Beam& beam)>& use);
+
  private:
   void commit();
+  void reachTo(double distance);
   /// @param owner "link 'l'"
   /// @return The visual without its place; nothing if it is not visible.
   std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics);

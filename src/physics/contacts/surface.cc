@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "description/link.hh"
+#include "physics/shapes/shape.hh"
 #include "physics/shapes/triangle_edges.hh"
 
 namespace pongsim::physics {
@@ -24,6 +25,12 @@ const description::Surface& surfaceOf(const btCollisionShape& part) {
 
 namespace {
 
+/// @return The surface of a collision, changed or as in the file.
+const description::Surface& surfaceNow(const btCollisionObject& object, const btCollisionShape& part) {
+  const auto* shape = static_cast<const LinkShape*>(object.getUserPointer());
+  return shape == nullptr ? surfaceOf(part) : *shape->part(static_cast<std::size_t>(part.getUserIndex())).surface;
+}
+
 bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,
              const btCollisionObjectWrapper* wrapperB, int /*partB*/, int indexB) {
   const btCollisionShape* a = partOf(wrapperA);
@@ -32,8 +39,10 @@ bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, i
   if (wrapperB->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE) {
     TriangleEdges::smooth(point, *wrapperB, indexB);
   }
-  point.m_combinedFriction = std::min(surfaceOf(*a).mu, surfaceOf(*b).mu);
-  point.m_combinedRestitution = surfaceOf(*a).restitution * surfaceOf(*b).restitution;
+  const description::Surface& one = surfaceNow(*wrapperA->getCollisionObject(), *a);
+  const description::Surface& other = surfaceNow(*wrapperB->getCollisionObject(), *b);
+  point.m_combinedFriction = std::min(one.mu, other.mu);
+  point.m_combinedRestitution = one.restitution * other.restitution;
   // numbers of the collisions in their links; Bullet leaves a triangle's number here, or nothing
   point.m_index0 = a->getUserIndex();
   point.m_index1 = b->getUserIndex();

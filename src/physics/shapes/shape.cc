@@ -90,8 +90,34 @@ void LinkShape::assemble(const std::vector<Pose>& poses) {
   root_ = holder_.get();
 }
 
+LinkShape::Feel LinkShape::feel(std::size_t collision) const {
+  const description::Surface& surface = *collisions_[collision].surface;
+  return {surface.mu, surface.mu2, surface.restitution};
+}
+
+void LinkShape::setFeel(std::size_t collision, const Feel& feel) {
+  Part& part = collisions_[collision];
+  description::Surface surface = *part.surface;
+  surface.mu = feel.mu;
+  surface.mu2 = feel.mu2;
+  surface.restitution = feel.restitution;
+  part.changed = std::make_shared<const description::Surface>(std::move(surface));
+  part.surface = part.changed.get();
+}
+
 void LinkShape::transfer(StateArchive& archive) {
-  for (Part& part : collisions_) {
+  for (std::size_t i = 0; i < collisions_.size(); ++i) {
+    Part& part = collisions_[i];
+    bool isChanged = part.changed != nullptr;
+    archive(isChanged);
+    if (isChanged) {
+      Feel now = feel(i);
+      for (double* number : {&now.mu, &now.mu2, &now.restitution}) {
+        archive(*number);
+        archive.check(*number >= 0);
+      }
+      setFeel(i, now);
+    }
     archive(part.slip1);
     archive(part.slip2);
     archive.check(part.slip1 >= 0 && part.slip2 >= 0);

@@ -46,7 +46,19 @@ class LinkShape {
     std::optional<SurfaceMotion> motion = std::nullopt;
     /// The first friction direction in the world frame, if it is fixed to another link; set before each step.
     std::optional<Vector3> fdir1_World = std::nullopt;
+    /// What `surface` points to since it was changed.
+    std::shared_ptr<const description::Surface> changed = nullptr;
   };
+  /// The properties of a surface that can be changed.
+  struct Feel {
+    /// Friction coefficients along the friction directions.
+    double mu = 0;
+    double mu2 = 0;
+    double restitution = 0;
+    bool operator==(const Feel&) const = default;
+  };
+  Feel feel(std::size_t collision) const;
+  void setFeel(std::size_t collision, const Feel& feel);
   /// @param collision Its number in the link.
   const Part& part(std::size_t collision) const { return collisions_[collision]; }
   Part& part(std::size_t collision) { return collisions_[collision]; }

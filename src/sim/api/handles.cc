@@ -84,7 +84,12 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
 MassInfo Link::mass() const {
   const description::Inertial& inertial = record(*access_, id_).description->inertial;
   const Matrix3 axes = inertial.X_LinkCom.rotation.toRotationMatrix();
-  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose(),
+  const physics::Engine::Mass now = access_->engine.mass(slotOf(*access_, id_));
+  // as in the file for a link that does not move
+  const bool isChanged = now.mass > 0;
+  const Matrix3 inertia = axes * inertial.moments * axes.transpose();
+  return {isChanged ? now.mass : inertial.mass, inertial.X_LinkCom.position,
+          isChanged && now.inertiaFactor != 1 ? Matrix3(inertia * now.inertiaFactor) : inertia,
           inertial.X_LinkCom.rotation};
 }
 
@@ -168,12 +173,19 @@ Wrench Joint::reaction() const {
 bool Joint::isDriven() const { return access_->engine.isJointDriven(slotOf(*access_, id_)); }
 
 JointAxisInfo Joint::axisInfo(int axis) const {
-  const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
-  return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};
+  const auto number = static_cast<std::size_t>(axis);
+  const description::JointAxis& found = record(*access_, id_).description->axes.at(number);
+  const world::Slot slot = slotOf(*access_, id_);
+  const bool isAxis = access_->engine.hasAxis(slot, number);
+  return {found.xyz,    found.lower,    found.upper,
+          found.effort, found.velocity, isAxis ? access_->engine.resistance(slot, number).damping : found.damping};
 }
 
 double Joint::friction(int axis) const {
-  return record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis)).friction;
+  const auto number = static_cast<std::size_t>(axis);
+  const world::Slot slot = slotOf(*access_, id_);
+  if (access_->engine.hasAxis(slot, number)) return access_->engine.resistance(slot, number).friction;
+  return record(*access_, id_).description->axes.at(number).friction;
 }
 
 bool Model::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }

@@ -18,7 +18,7 @@ namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim5";
+constexpr std::string_view kMark = "pongsim6";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);

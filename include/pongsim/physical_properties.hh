@@ -1,0 +1,44 @@
+#pragma once
+
+#include "pongsim/export.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/outcome.hh"
+
+namespace pongsim {
+
+/// Properties of links, collisions and joints that are changed between two steps, so that a world differs from its file
+/// in them without being loaded again. They are part of saved states, and a reset brings those of the file back. Must
+/// not outlive the `Simulation`. Systems that have read a property before, such as a controller that knows the mass of
+/// its robot, go on with the old one.
+class PONGSIM_API PhysicalProperties {
+ public:
+  explicit PhysicalProperties(const World& world) : access_(world.access_) {}
+
+  /// Changes the mass of a link; its centre of mass and the axes of its inertia stay.
+  /// @param mass [kg]
+  /// @param inertiaFactor How many times the moments of inertia of the file the new ones are.
+  Outcome<void> setMass(const Link& link, double mass, double inertiaFactor);
+  /// @return That factor; 1 unless changed.
+  double inertiaFactor(const Link& link) const;
+
+  /// Friction coefficients along both friction directions of a collision, and its coefficient of restitution. Of two
+  /// collisions that touch, the smaller friction coefficient counts, and the product of the restitutions.
+  struct Surface {
+    double friction = 0;
+    double friction2 = 0;
+    double restitution = 0;
+  };
+  Surface surface(const Collision& collision) const;
+  Outcome<void> setSurface(const Collision& collision, const Surface& surface);
+
+  /// Changes the damping [N m s/rad or N s/m] of a joint's axis; `Joint::axisInfo` tells it.
+  Outcome<void> setDamping(const Joint& joint, double damping, int axis = 0);
+  /// Changes the friction [N m or N] of a joint's axis; `Joint::friction` tells it.
+  Outcome<void> setFriction(const Joint& joint, double friction, int axis = 0);
+
+ private:
+  Outcome<void> setResistance(const Joint& joint, const char* what, double number, int axis);
+  sim::Access* access_;
+};
+
+}  // namespace pongsim

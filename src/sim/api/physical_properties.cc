@@ -1,0 +1,95 @@
+#include "pongsim/physical_properties.hh"
+
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "description/limits.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim {
+
+namespace {
+
+constexpr const char* kDamping = "damping";
+
+/// A collision as the engine knows it.
+struct SurfacePlace {
+  world::Slot link;
+  std::size_t number;
+};
+
+SurfacePlace placeOf(const sim::Access& access, CollisionId id) {
+  const world::Slot slot = sim::slotOf(access, id);
+  const world::Slot link = access.entities.collisions()[slot].link;
+  return {link, slot - access.entities.links()[link].firstCollision};
+}
+
+/// @return Why the number can't be used, if it is not within these bounds; NaN is not.
+Outcome<void> checkRange(const std::string& what, double number, double least, double most) {
+  if (number >= least && number <= most) return {};
+  std::ostringstream text;
+  text << what << " must be " << least << " to " << most << ", not " << number;
+  return {text.str()};
+}
+
+}  // namespace
+
+Outcome<void> PhysicalProperties::setMass(const Link& link, double mass, double inertiaFactor) {
+  using description::kLargestMass;
+  using description::kLeastMass;
+  const std::string name = "link '" + link.scopedName() + "'";
+  const world::Slot slot = sim::slotOf(*access_, link.id());
+  if (access_->engine.mass(slot).mass == 0) return {name + " does not move, so its mass has no effect"};
+  if (auto checked = checkRange("the mass of " + name, mass, kLeastMass, kLargestMass); !checked) return checked;
+  if (auto checked = checkRange("the inertia's factor of " + name, inertiaFactor, kLeastMass, kLargestMass); !checked) {
+    return checked;
+  }
+  access_->engine.setMass(slot, {mass, inertiaFactor});
+  return {};
+}
+
+double PhysicalProperties::inertiaFactor(const Link& link) const {
+  return access_->engine.mass(sim::slotOf(*access_, link.id())).inertiaFactor;
+}
+
+PhysicalProperties::Surface PhysicalProperties::surface(const Collision& collision) const {
+  const SurfacePlace place = placeOf(*access_, collision.id());
+  const physics::Engine::Feel feel = access_->engine.feel(place.link, place.number);
+  return {feel.mu, feel.mu2, feel.restitution};
+}
+
+Outcome<void> PhysicalProperties::setSurface(const Collision& collision, const Surface& surface) {
+  using description::kLargestCoefficient;
+  const SurfacePlace place = placeOf(*access_, collision.id());
+  const std::string of = " of collision '" + collision.scopedName() + "'";
+  for (const double friction : {surface.friction, surface.friction2}) {
+    if (auto checked = checkRange("the friction" + of, friction, 0, kLargestCoefficient); !checked) return checked;
+  }
+  if (auto checked = checkRange("the restitution" + of, surface.restitution, 0, 1); !checked) return checked;
+  access_->engine.setFeel(place.link, place.number, {surface.friction, surface.friction2, surface.restitution});
+  return {};
+}
+
+Outcome<void> PhysicalProperties::setResistance(const Joint& joint, const char* what, double number, int axis) {
+  const world::Slot slot = sim::slotOf(*access_, joint.id());
+  const std::string of = " of joint '" + std::string(joint.name()) + "'";
+  if (axis < 0 || axis >= joint.axisCount()) return {"there is no axis " + std::to_string(axis) + of};
+  auto checked = checkRange(std::string("the ") + what + of, number, 0, description::kLargestCoefficient);
+  if (!checked) return checked;
+  const auto which = static_cast<std::size_t>(axis);
+  physics::Engine::Resistance resistance = access_->engine.resistance(slot, which);
+  (std::string_view(what) == kDamping ? resistance.damping : resistance.friction) = number;
+  access_->engine.setResistance(slot, which, resistance);
+  return {};
+}
+
+Outcome<void> PhysicalProperties::setDamping(const Joint& joint, double damping, int axis) {
+  return setResistance(joint, kDamping, damping, axis);
+}
+
+Outcome<void> PhysicalProperties::setFriction(const Joint& joint, double friction, int axis) {
+  return setResistance(joint, "friction", friction, axis);
+}
+
+}  // namespace pongsim

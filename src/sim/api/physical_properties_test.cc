@@ -1,0 +1,118 @@
+#include "pongsim/physical_properties.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+
+namespace pongsim {
+namespace {
+
+// a box of 2 kg slides on a plane; a rod hangs on the world
+constexpr const char* kSlidingBox = R"(<sdf version="1.9"><world name="w"><gravity>0 0 -10</gravity>
+  <model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane/></geometry></collision>
+  </link></model>
+  <model name="box"><pose>0 0 0.5 0 0 0</pose><link name="l"><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>2</iyy>
+    <izz>2.5</izz></inertia></inertial><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>
+  </link></model>
+  <model name="rod"><pose>5 0 5 0 0 0</pose><link name="l"/><joint name="j" type="revolute"><parent>world</parent>
+    <child>l</child><axis><xyz>0 0 1</xyz></axis></joint></model>
+</world></sdf>)";
+
+class PhysicalPropertiesTest : public testing::Test {
+ protected:
+  PhysicalPropertiesTest() {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(kSlidingBox, "world.sdf", {.loadSystems = false}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+  Link box() { return simulation_->world().model("box")->link("l").value(); }
+  Collision skin() { return box().collisions().front(); }
+  Joint joint() { return simulation_->world().model("rod")->joint("j").value(); }
+  PhysicalProperties properties() { return PhysicalProperties(simulation_->world()); }
+  /// @return The speed that is left of 1 m/s after 100 steps on the plane.
+  double slide() {
+    box().setVelocity({1, 0, 0}, {0, 0, 0});
+    simulation_->step(100);
+    return box().linearVelocity().x();
+  }
+
+  std::unique_ptr<Simulation> simulation_;
+};
+
+TEST_F(PhysicalPropertiesTest, AMassActsAndIsTold) {
+  ASSERT_TRUE(properties().setMass(box(), 4, 3));
+  EXPECT_EQ(box().mass().mass, 4);
+  EXPECT_EQ(box().mass().inertia.diagonal(), Vector3(3, 6, 7.5));
+  EXPECT_EQ(properties().inertiaFactor(box()), 3);
+  simulation_->world().setGravity(Vector3::Zero());
+  box().addWrench({8, 0, 0}, {0, 0, 7.5});
+  simulation_->step();
+  EXPECT_NEAR(box().linearVelocity().x(), 0.002, 1e-12);
+  EXPECT_NEAR(box().angularVelocity().z(), 0.001, 1e-12);
+}
+
+TEST_F(PhysicalPropertiesTest, FrictionActsOnContactsThatAreThere) {
+  simulation_->step(50);
+  ASSERT_TRUE(properties().setSurface(skin(), {0, 0, 0}));
+  EXPECT_NEAR(slide(), 1, 1e-6);
+  ASSERT_TRUE(properties().setSurface(skin(), {0.5, 0.5, 0}));
+  EXPECT_NEAR(slide(), 0.5, 0.01);
+  EXPECT_EQ(properties().surface(skin()).friction, 0.5);
+}
+
+TEST_F(PhysicalPropertiesTest, DampingAndFrictionOfAJoint) {
+  ASSERT_TRUE(joint().resetVelocity(1));
+  ASSERT_TRUE(properties().setDamping(joint(), 2));
+  ASSERT_TRUE(properties().setFriction(joint(), 0.5));
+  EXPECT_EQ(joint().axisInfo().damping, 2);
+  EXPECT_EQ(joint().friction(), 0.5);
+  simulation_->step(100);
+  EXPECT_LT(joint().velocity(), 0.9);
+}
+
+TEST_F(PhysicalPropertiesTest, AreSavedAndReset) {
+  const std::vector<std::byte> plain = simulation_->saveState();
+  ASSERT_TRUE(properties().setMass(box(), 4, 3));
+  ASSERT_TRUE(properties().setSurface(skin(), {0.25, 0.125, 0.5}));
+  ASSERT_TRUE(properties().setDamping(joint(), 2));
+  slide();
+  const std::vector<std::byte> state = simulation_->saveState();
+  slide();
+  const std::uint64_t expected = simulation_->stateHash();
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(simulation_->saveState(), plain);
+  EXPECT_EQ(box().mass().mass, 2);
+  ASSERT_TRUE(simulation_->restoreState(state));
+  EXPECT_EQ(simulation_->saveState(), state);
+  EXPECT_EQ(box().mass().mass, 4);
+  EXPECT_EQ(properties().surface(skin()).friction2, 0.125);
+  slide();
+  EXPECT_EQ(simulation_->stateHash(), expected);
+}
+
+TEST_F(PhysicalPropertiesTest, RefuseWhatIsImpossible) {
+  const std::vector<std::byte> before = simulation_->saveState();
+  for (const double bad : {0.0, -1.0, double{NAN}, double{INFINITY}, 1e13}) {
+    EXPECT_FALSE(properties().setMass(box(), bad, 1)) << bad;
+    EXPECT_FALSE(properties().setMass(box(), 1, bad)) << bad;
+  }
+  for (const double bad : {-1.0, double{NAN}, double{INFINITY}, 1e13}) {
+    EXPECT_FALSE(properties().setSurface(skin(), {bad, 1, 0})) << bad;
+    EXPECT_FALSE(properties().setSurface(skin(), {1, bad, 0})) << bad;
+    EXPECT_FALSE(properties().setDamping(joint(), bad)) << bad;
+    EXPECT_FALSE(properties().setFriction(joint(), bad)) << bad;
+  }
+  EXPECT_FALSE(properties().setSurface(skin(), {1, 1, 1.5}));
+  EXPECT_FALSE(properties().setDamping(joint(), 1, 1));
+  EXPECT_FALSE(properties().setMass(simulation_->world().model("ground")->link("l").value(), 1, 1));
+  EXPECT_EQ(simulation_->saveState(), before);
+}
+
+}  // namespace
+}  // namespace pongsim
