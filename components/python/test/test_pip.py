@@ -52,6 +52,12 @@ def test_what_the_package_imports_it_asks_for():
     assert needed() <= {re.match(r"[A-Za-z0-9_-]+", each)[0] for each in asked}
 
 
+def test_an_editable_installation_uses_the_files_of_the_source_tree():
+    """pip takes the modules from there, and CMake does not install copies beside them."""
+    assert PYPROJECT["tool"]["scikit-build"]["wheel"]["packages"] == [str(SOURCES.relative_to(PROJECT))]
+    assert "if(NOT SKBUILD)\n  install(DIRECTORY pongsim/" in (SOURCES.parent / "CMakeLists.txt").read_text()
+
+
 def test_the_folder_is_that_of_an_installation(tmp_path, program):
     """The build has installed everything where a wheel's program and library look for it."""
     settings = PYPROJECT["tool"]["scikit-build"]
