@@ -189,14 +189,12 @@ def test_noise_differs_from_episode_to_episode_and_repeats_with_the_seed():
 
 def test_an_episode_ends_and_is_broken_off():
     env = gym.Env(rail(terminated=lambda now: now["rail"][:, 0] > 0.3, time_limit=1.0))
-    env.reset()
-    ends = []
-    for _ in range(10):
-        ends.append(env.step([4.0])[2:4])
-    assert ends.index((True, False)) == 5 and ends[-1] == (True, True)
-    assert env.moment.time == pytest.approx([1.0])
-    env.reset()
-    assert env.step([0.0])[2:4] == (False, False)
+    for force, end, steps in ((4.0, (True, False), 6), (0.0, (False, True), 10), (1.4, (True, True), 10)):
+        env.reset()
+        for _ in range(steps - 1):
+            assert env.step([force])[2:4] == (False, False)
+        assert env.step([force])[2:4] == end, force
+        assert env.moment.time == pytest.approx([steps / 10])
     env.close()
 
 
@@ -280,6 +278,14 @@ def test_functions_that_fail_are_named_and_the_environment_goes_on():
             {"observation": lambda sim: np.zeros(3), "observation_space": spaces.Box(-1, 1, (2,)), "reward": lambda now: 0},
             "outside its space",
         ),
+        (
+            {"observation": lambda sim: [0, 1.5], "observation_space": spaces.Box(-1, 1, (2,)), "reward": lambda now: 0},
+            r"outside its space, .*: number \[1\] is 1.5",
+        ),
+        (
+            {"observation": lambda sim: [np.nan, 0], "observation_space": spaces.Box(-1, 1, (2,)), "reward": lambda now: 0},
+            r"outside its space, .*: number \[0\] is nan",
+        ),
     ],
 )
 def test_what_functions_give_is_checked(changes, text):
@@ -352,6 +358,40 @@ def test_steps_come_after_a_reset_and_before_the_close():
     for call in (lambda: env.step([0.0]), env.reset, lambda: env.simulation.time):
         with pytest.raises(pongsim.Gone):
             call()
+
+
+def test_no_step_follows_the_end_of_an_episode():
+    for changes in ({"terminated": lambda now: True}, {"truncated": lambda now: True}, {"time_limit": 0.1}):
+        env = gym.Env(rail(**changes))
+        env.reset()
+        assert True in env.step([0.0])[2:4]
+        with pytest.raises(ResetNeeded, match="end of an episode"):
+            env.step([0.0])
+        env.reset()
+        env.step([0.0])
+        env.close()
+
+
+def test_a_world_that_somebody_else_resets_has_no_reading():
+    env = gym.Env(rail())
+    env.reset()
+    env.step([4.0])
+    # of the environment's own resets, the readings are those of the new episode
+    observation, _ = env.reset()
+    assert observation[2] == 0
+    env.simulation.reset()
+    # a reading comes with the next step, because the sensor is faster
+    env.step([0.0])
+    told = gym.Env(rail(extra={"told": gym.Fields("/told", "data", type="Double")},
+                        start=lambda sim, random: sim.publish("/told", {"data": 1.0}, type="Double")))
+    for end in (told.simulation.reset, lambda: told.simulation.restore(told.simulation.save())):
+        told.reset()
+        told.step([0.0])
+        end()
+        with pytest.raises(pongsim.NoReading, match="/told.*call reset"):
+            told.step([0.0])
+    told.reset()
+    told.step([0.0])
 
 
 def test_a_model_that_is_removed_is_told_of():

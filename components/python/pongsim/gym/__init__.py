@@ -20,6 +20,7 @@ except ImportError as missing:
 
 from .env import Env
 from .parts import Command, Fields, Joint, JointForce, JointVelocity, Pose, Ranges, Reading, Steering, Velocity
+from .randomise import Randomise
 from .task import Camera, Moment, Task, TaskError
 from .vector_env import VectorEnv
 from .wall_avoid import wall_avoid
@@ -35,6 +36,7 @@ __all__ = [
     "JointVelocity",
     "Moment",
     "Pose",
+    "Randomise",
     "Ranges",
     "Reading",
     "Steering",

@@ -75,18 +75,21 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
 
         action: from the action space; numbers beyond its limits are clamped.
         Returns the observation, the reward, whether the episode is terminated, whether it is truncated, and an empty
-        dict. Raises ValueError for an action with the wrong shape or a number that is not finite.
+        dict. Raises ValueError for an action with the wrong shape or a number that is not finite, and Gymnasium's
+        ResetNeeded after the end of an episode.
         """
         if not self._has_begun:
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
-            raise error.ResetNeeded("call reset before the first step, and after a step that raised an exception")
+            raise error.ResetNeeded(
+                "call reset before the first step, after the end of an episode, and after a step that raised an exception"
+            )
         action = np.asarray(action)
         if action.shape != self._action_shape:
             raise ValueError(f"an action has the shape {self._action_shape}, not {action.shape}")
         self._has_begun = False
         rewards, terminated, truncated = self._worlds.step(action[None])
-        self._has_begun = True
+        self._has_begun = not (terminated.item() or truncated.item())
         return self._worlds.observations[0].copy(), rewards.item(), terminated.item(), truncated.item(), {}
 
     def render(self) -> NDArray[np.uint8] | None:

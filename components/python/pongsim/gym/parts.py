@@ -44,7 +44,7 @@ class Ranges(Reading):
         """See `Reading.attach`."""
         from .. import _core
 
-        sensor = simulation.find_sensor(self.sensor)
+        sensor = simulation._find_sensor(self.sensor)
         limits = _core.lidar_limits(sensor)
         pool.read_ranges(world, sensor)
         return [(0.0, limits.farthest)] * limits.beams

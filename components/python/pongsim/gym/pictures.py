@@ -26,7 +26,7 @@ class Pictures:
         self._place: values.Pose | Sequence[float] | None = None
         if isinstance(camera, str):
             for simulation in simulations:
-                sensor = simulation.find_sensor(camera)
+                sensor = simulation._find_sensor(camera)
                 self._width, self._height, field_of_view, offset = _core.lens(sensor)
                 self._sensors.append((sensor, offset))
                 self._painters.append(_core.Painter(simulation, self._width, self._height, field_of_view))

@@ -15,6 +15,7 @@ from .. import values
 from ..errors import Error
 from ..simulation import Simulation
 from .parts import Reading, Steering
+from .randomise import Randomise
 
 
 #: What functions return: a number, or true or false.
@@ -110,6 +111,8 @@ class Task:
     #: Sets up the start of each episode: a function of the simulation and the environment's random numbers that moves
     #: models and so on.
     start: Callable[[Simulation, np.random.Generator], object] | None = None
+    #: Properties of the world that each episode draws anew.
+    randomise: Sequence[Randomise] = ()
     #: Simulated time of an environment step [s]: a multiple of the world's step.
     step_time: float = 0.1
     #: Simulated time before the first observation, so that each sensor has a reading [s]. None: `step_time`.
@@ -133,6 +136,9 @@ class Task:
         for name, space in (("action", self.action_space), ("observation", self.observation_space)):
             if callable(getattr(self, name)) == (space is None):
                 raise ValueError(f"give {name}_space if, and only if, {name} is a function")
+        for each in self.randomise:
+            if not isinstance(each, Randomise):
+                raise TypeError(f"randomise must be a list of Randomise, not of {type(each).__name__}")
         functions = {"reward": self.reward, "terminated": self.terminated, "truncated": self.truncated, "start": self.start}
         for name, function in functions.items():
             if function is not None and not callable(function):

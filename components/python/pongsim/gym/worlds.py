@@ -42,6 +42,7 @@ class Worlds:
             self._read()
             self._steer()
             self._pool.seal()
+            self._draws = [[each.attach(simulation) for each in task.randomise] for simulation in self.simulations]
             self._step_count = self._steps_in(task.step_time, "step_time")
             settle_time = task.step_time if task.settle_time is None else task.settle_time
             self._settle_count = self._steps_in(settle_time, "settle_time")
@@ -49,6 +50,8 @@ class Worlds:
         self._steps_to_limit = (
             None if task.time_limit is None else max(1, math.ceil(task.time_limit / task.step_time - 1e-9))
         )
+        #: Whether an episode begins with another state than the world does.
+        self._changes = task.start is not None or len(task.randomise) > 0
         self._draws_noise = self._has_noise() if task.noise is None else task.noise
         #: Number of steps in each episode so far.
         self.elapsed: NDArray[np.int64] = np.zeros(count, np.int64)
@@ -115,7 +118,7 @@ class Worlds:
 
     def _has_noise(self) -> bool:
         first = self.simulations[0]
-        return any(first.find_sensor(name).has_noise for name in first.sensor_names)
+        return any(first._find_sensor(name).has_noise for name in first.sensor_names)
 
     def _look_at_memory(self) -> None:
         pool, rows = self._pool, self.count
@@ -204,7 +207,7 @@ class Worlds:
                 seed = int(randoms[i].integers(2**63))
             if seed is None and self._is_saved[i]:
                 self._restored[i] = 1
-                if task.start is not None:
+                if self._changes:
                     to_settle.append(i)
                 continue
             # seeds with more than 64 bits are cut
@@ -212,8 +215,8 @@ class Worlds:
             to_settle.append(i)
             if self._draws_noise:
                 continue
-            self._is_saved[i] = task.start is not None
-            if task.start is not None:
+            self._is_saved[i] = self._changes
+            if self._changes:
                 pool.save(i)
             else:
                 to_save.append(i)
@@ -224,8 +227,10 @@ class Worlds:
                 # models or systems have been added or removed since: starting again is slower, but always possible
                 self._is_saved = [False] * self.count
                 return self._put_back(chosen, seeds, randoms)
-        if task.start is not None:
-            for i in to_settle:
+        for i in to_settle:
+            for draw in self._draws[i]:
+                draw(randoms[i])
+            if task.start is not None:
                 call("the start", task.start, self.simulations[i], randoms[i])
         self._steps[to_settle] = self._settle_count
         return to_save
@@ -258,6 +263,17 @@ class Worlds:
                     f"the observation '{name_of(observe)}' returned a value outside its space, {self.observation_space}: "
                     f"{wrong}"
                 ) from wrong
+            self._check(observe, self.observations[i])
+
+    def _check(self, observe: Any, observation: NDArray[Any]) -> None:
+        space = self.observation_space
+        inside = (observation >= space.low) & (observation <= space.high)
+        if not inside.all():
+            place = tuple(int(each) for each in np.argwhere(~inside)[0])
+            raise TaskError(
+                f"the observation '{name_of(observe)}' returned a value outside its space, {space}: number {list(place)} is "
+                f"{observation[place]}"
+            )
 
     def _judge(self, chosen: NDArray[np.bool_] | None) -> Verdict:
         task, moment, no = self.task, self.moment, self._no
