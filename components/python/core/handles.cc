@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors.hh"
+#include "core/properties.hh"
 #include "core/values.hh"
 #include "pongsim/program/nearest_word.hh"
 
@@ -59,12 +60,14 @@ py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const cha
       .def_property_readonly(
           "name", [](PyHandle& self) { return std::string(self.use().name()); },
           "Its own name, without those of its parents.")
-      .def("__eq__",
-           [](PyHandle& self, py::object other) {
-             if (!py::isinstance<PyHandle>(other)) return false;
-             auto& that = other.cast<PyHandle&>();
-             return self.life == that.life && self.inner.id() == that.inner.id();
-           })
+      .def(
+          "__eq__",
+          [](PyHandle& self, py::object other) {
+            if (!py::isinstance<PyHandle>(other)) return false;
+            auto& that = other.cast<PyHandle&>();
+            return self.life == that.life && self.inner.id() == that.inner.id();
+          },
+          py::arg("other"))
       .def("__hash__", [](PyHandle& self) { return std::hash<std::uint64_t>()(self.inner.id().value); })
       .def("__repr__", [name = std::string(name)](PyHandle& self) {
         const bool isThere = !self.life->isClosed() && !self.life->isStepping() && self.inner.exists();
@@ -73,9 +76,8 @@ py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const cha
       });
 }
 
-void bindModel(py::module_& module) {
-  bindCommon<PyModel>(module, "Model", "A model of a running world. Objects for the same model are equal.")
-      .def_property_readonly(
+void bindModel(py::class_<PyModel>& type) {
+  type.def_property_readonly(
           "scoped_name", [](PyModel& self) { return self.use().scopedName(); },
           "Its name with its parent models: \"outer::inner\".")
       .def_property_readonly(
@@ -128,9 +130,9 @@ void bindModel(py::module_& module) {
           py::arg("name"), "The joint with that name; in nested models \"inner::hinge\". Raises KeyError.");
 }
 
-void bindLink(py::module_& module) {
-  bindCommon<PyLink>(module, "Link", "A link of a running world. Objects for the same link are equal.")
-      .def_property_readonly(
+void bindLink(py::class_<PyLink>& type) {
+  bindProperties(type);
+  type.def_property_readonly(
           "scoped_name", [](PyLink& self) { return self.use().scopedName(); },
           "Its name with its models: \"model::link\".")
       .def_property_readonly(
@@ -147,8 +149,6 @@ void bindLink(py::module_& module) {
       .def_property_readonly(
           "angular_velocity", [](PyLink& self) { return tupleOf(self.use().angularVelocity()); },
           "Angular velocity, world frame [rad/s].")
-      .def_property_readonly(
-          "mass", [](PyLink& self) { return self.use().mass().mass; }, "Mass [kg].")
       .def(
           "add_wrench",
           [](PyLink& self, py::handle force, py::handle torque) {
@@ -167,11 +167,9 @@ void bindLink(py::module_& module) {
           "frame.");
 }
 
-void bindJoint(py::module_& module) {
-  bindCommon<PyJoint>(
-      module, "Joint",
-      "A joint of a running world. Units are rad and N m for rotational axes, m and N for translational ones.")
-      .def_property_readonly(
+void bindJoint(py::class_<PyJoint>& type) {
+  bindProperties(type);
+  type.def_property_readonly(
           "type", [](PyJoint& self) { return std::string(self.use().type()); }, "Its type in SDF: \"revolute\".")
       .def_property_readonly(
           "axis_count", [](PyJoint& self) { return self.use().axisCount(); },
@@ -217,9 +215,19 @@ void bindJoint(py::module_& module) {
 }  // namespace
 
 void bindHandles(py::module_& module) {
-  bindModel(module);
-  bindLink(module);
-  bindJoint(module);
+  // all classes before their functions, whose signatures name them
+  auto model =
+      bindCommon<PyModel>(module, "Model", "A model of a running world. Objects for the same model are equal.");
+  auto link = bindCommon<PyLink>(module, "Link", "A link of a running world. Objects for the same link are equal.");
+  auto joint = bindCommon<PyJoint>(
+      module, "Joint",
+      "A joint of a running world. Units are rad and N m for rotational axes, m and N for translational ones.");
+  auto collision = bindCommon<PyCollision>(
+      module, "Collision", "A collision of a link of a running world. Objects for the same collision are equal.");
+  bindModel(model);
+  bindLink(link);
+  bindJoint(joint);
+  bindCollision(collision);
 }
 
 }  // namespace pongsim::python

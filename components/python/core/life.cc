@@ -67,6 +67,8 @@ void Life::release() {
   }
   for (const std::shared_ptr<Pending>& each : std::exchange(held_, {})) each->letGo();
   streams.clear();
+  stateVector.reset();
+  rayScene.reset();
   publishers.clear();
   simulation_.reset();
   transport_.reset();

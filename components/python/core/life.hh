@@ -16,8 +16,13 @@
 #include "pongsim/node.hh"
 #include "pongsim/simulation.hh"
 
+namespace pongsim {
+class RayScene;
+}
+
 namespace pongsim::python {
 
+class StateVector;
 class Stream;
 
 namespace py = pybind11;
@@ -126,6 +131,9 @@ class Life {
   Publishers publishers;
   /// The readings that are switched on, by the sensor's id and their kind. All objects for a sensor share them.
   std::map<std::pair<std::uint64_t, std::string>, std::shared_ptr<Stream>> streams;
+  /// Made on first use.
+  std::shared_ptr<StateVector> stateVector;
+  std::shared_ptr<RayScene> rayScene;
 
  private:
   void checkThread() const;

@@ -8,6 +8,7 @@
 #include "core/pool.hh"
 #include "core/python_system.hh"
 #include "core/sensor.hh"
+#include "core/signatures.hh"
 #include "core/simulation.hh"
 #include "core/topics.hh"
 #include "pongsim/log.hh"
@@ -36,4 +37,5 @@ PYBIND11_MODULE(_core, module) {
   module.attr("version") = PONGSIM_VERSION;
   module.def("set_log_level", &setLogLevel, pybind11::arg("level"),
              "Sets how much the process says on stderr: 0 nothing, 1 errors, 2 warnings (the default), 3 more, 4 all.");
+  python::giveSignatures(module);
 }

@@ -224,6 +224,25 @@ void bindSensors(py::module_& module) {
           },
           "Its kinds of readings, the main one first, as the world's systems declare them.")
       .def_property_readonly(
+          "link_name", [](PySensor& self) { return self.use().link().scopedName(); },
+          "The scoped name of its link; for a sensor on a joint, of the joint's child.")
+      .def_property_readonly(
+          "pose_in_link", [](PySensor& self) { return poseOf(self.use().poseInLink()); },
+          "Pose of its frame in the frame of that link.")
+      .def_property_readonly(
+          "frame_name", [](PySensor& self) { return self.use().frameName(); }, "Its frame's name in messages.")
+      .def_property_readonly(
+          "topics",
+          [](PySensor& self) {
+            py::dict topics;
+            const Sensor& sensor = self.use();
+            for (const SensorReadings& each : self.life->use().readings(sensor.type())) {
+              topics[py::str(each.kind)] = sensor.topic(each);
+            }
+            return topics;
+          },
+          "The topic of each kind of reading.")
+      .def_property_readonly(
           "has_noise", [](PySensor& self) { return hasNoise(self.use().sdf()); },
           "Whether its readings depend on the seed: its element has a <noise> of a type other than none.")
       .def(

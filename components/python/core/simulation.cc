@@ -21,6 +21,8 @@
 #include "core/owner.hh"
 #include "core/python_system.hh"
 #include "core/sensor.hh"
+#include "core/state_vector.hh"
+#include "core/surroundings.hh"
 #include "core/topics.hh"
 #include "core/values.hh"
 #include "pongsim/program/nearest_word.hh"
@@ -390,17 +392,17 @@ void bindContent(py::class_<Owner>& simulation) {
       .def("remove", &remove, py::arg("model"),
            "Removes top-level models with their systems and the joints connected to them: all of them or, raising "
            "Refused, none. Several at once are faster than one by one.")
-      .def("poses_memory", &poses)
-      .def("joint_states_memory", &jointStates)
-      .def("find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })
-      .def("add_system", &addSystem, py::arg("name"), py::arg("system"))
-      .def("open_subscription",
+      .def("_poses", &poses)
+      .def("_joint_states", &jointStates)
+      .def("_find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })
+      .def("_add_system", &addSystem, py::arg("name"), py::arg("system"))
+      .def("_open_subscription",
            [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
              return PythonSubscription::open(self.life, topic, std::move(callback), std::move(type), length);
            })
-      .def("publish_message", [](Owner& self, const std::string& topic, py::handle message,
-                                 const std::string& type) { publish(*self.life, topic, message, type); })
-      .def("ask",
+      .def("_publish", [](Owner& self, const std::string& topic, py::handle message,
+                          const std::string& type) { publish(*self.life, topic, message, type); })
+      .def("_ask",
            [](Owner& self, const std::string& service, py::handle message, const std::string& type, py::handle reply,
               double timeout) { return request(self.life, service, message, type, reply, timeout); });
 }
@@ -414,6 +416,8 @@ void bindSimulation(py::module_& module) {
            py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
            py::arg("file"));
   bindRun(type);
+  bindState(type);
+  bindSurroundings(type);
   bindProperties(type);
   bindContent(type);
 }

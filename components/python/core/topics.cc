@@ -32,6 +32,30 @@ std::string typeOfTopic(Life& life, const std::string& topic) {
                     : "the topic '" + whole + "' has several types; give one as type=\"" + types.front() + "\"");
 }
 
+/// Raises ValueError if a topic has other types, so that nobody would get a message of this one.
+void checkTypeOfTopic(Life& life, const std::string& topic, const std::string& type) {
+  const std::string whole = topic.starts_with('/') ? topic : "/" + topic;
+  std::string other;
+  for (const OwnTopic& each : life.use().transport().node().ownTopics()) {
+    if (each.name != whole) continue;
+    if (each.type == type || each.type == "*") return;
+    other = each.type;
+  }
+  if (other.empty()) return;
+  throw py::value_error("the topic '" + whole + "' has the type " + other + ", not " + type);
+}
+
+/// Raises TypeError unless it says how messages are wanted, and ValueError for a class that the topic's are not of.
+void checkWanted(Life& life, const std::string& topic, py::handle type) {
+  if (type.is_none() || type.ptr() == reinterpret_cast<PyObject*>(&PyBytes_Type)) return;
+  const std::string name = PyType_Check(type.ptr()) ? typeOfObject(type) : std::string();
+  if (name.empty()) {
+    throw py::type_error("type must be None, bytes or a message class such as pongsim.messages.Twist, not " +
+                         py::repr(type).cast<std::string>());
+  }
+  checkTypeOfTopic(life, topic, knownType(name));
+}
+
 std::chrono::nanoseconds nanoseconds(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0 || seconds > 1e6) {
     throw py::value_error("a timeout must be 0 to 1e6 s, not " + std::to_string(seconds));
@@ -62,6 +86,7 @@ std::shared_ptr<PythonSubscription> PythonSubscription::open(const std::shared_p
                                                              py::object type, std::size_t length) {
   Simulation& simulation = life->use();
   if (length == 0) throw py::value_error("the length must be above 0");
+  checkWanted(*life, topic, type);
   auto subscription = std::make_shared<PythonSubscription>();
   subscription->topic_ = topic;
   subscription->life_ = life;
@@ -113,7 +138,13 @@ void publish(Life& life, const std::string& topic, py::handle message, const std
   const MessagePointer filled = newMessage(name);
   fillIn(*filled, message);
   Publisher& publisher = life.publishers[{topic, name}];
-  if (!publisher) publisher = node.advertise(topic, name);
+  if (!publisher) {
+    checkTypeOfTopic(life, topic, name);
+    publisher = node.advertise(topic, name);
+  }
+  if (const std::optional<std::string> reason = node.refusal(topic, *filled)) {
+    throw py::value_error("the message on '" + topic + "' is refused: " + *reason);
+  }
   publisher.publish(*filled);
 }
 

@@ -67,6 +67,17 @@ Pose poseFrom(py::handle from) {
   return {Vector3(x, y, z), fromRollPitchYaw(roll, pitch, yaw)};
 }
 
+Pose poseIn(std::span<const double> seven, const char* what) {
+  for (const double number : seven) {
+    if (!std::isfinite(number)) throw py::value_error("the pose of '" + std::string(what) + "' is not finite");
+  }
+  const Quaternion rotation(seven[6], seven[3], seven[4], seven[5]);
+  if (std::abs(rotation.norm() - 1) > 1e-3) {
+    throw py::value_error("the orientation of '" + std::string(what) + "' must be a quaternion of length 1");
+  }
+  return {Vector3(seven[0], seven[1], seven[2]), rotation.normalized()};
+}
+
 void checkOutcome(const Outcome<void>& outcome) {
   if (!outcome) raise("Refused", outcome.error);
 }

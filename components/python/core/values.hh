@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "pongsim/outcome.hh"
@@ -18,6 +19,10 @@ inline py::tuple tupleOf(const Vector3& vector) { return py::make_tuple(vector.x
 /// @param what Its name in the message: "force".
 /// Raises TypeError or ValueError unless it is three finite numbers.
 Vector3 vectorOf(py::handle three, const char* what);
+
+/// @param seven x, y, z [m] and a quaternion x, y, z, w.
+/// Raises ValueError, which names `what`, unless the numbers are finite and the quaternion has length 1.
+Pose poseIn(std::span<const double> seven, const char* what);
 
 /// @return A pongsim.Pose.
 py::object poseOf(const Pose& pose);

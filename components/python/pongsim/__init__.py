@@ -8,8 +8,8 @@
         print(sim.model("pong_bot").pose)
 """
 
-from . import messages
-from ._core import Diagnostic, Joint, Link, Model, StepInfo, Subscription, message_types, set_log_level
+from . import messages, worlds
+from ._core import Collision, Diagnostic, Joint, Link, Model, StepInfo, Subscription, message_types, set_log_level
 from ._core import version as __version__
 from .errors import (
     Busy,
@@ -24,20 +24,27 @@ from .errors import (
 )
 from .sensor import Sensor
 from .simulation import Simulation
+from .state import Layout
 from .system import System
-from .values import Pose
+from .values import Contacts, JointAxis, Pose, RayHit, RayHits
 
 __all__ = [
     "Busy",
+    "Collision",
+    "Contacts",
     "Diagnostic",
     "Error",
     "Gone",
     "Joint",
+    "JointAxis",
+    "Layout",
     "Link",
     "LoadError",
     "Model",
     "NoReading",
     "Pose",
+    "RayHit",
+    "RayHits",
     "Refused",
     "Sensor",
     "ServiceError",
@@ -51,4 +58,5 @@ __all__ = [
     "message_types",
     "messages",
     "set_log_level",
+    "worlds",
 ]

@@ -64,6 +64,31 @@ class Sensor:
         return self._core.pose
 
     @property
+    def pose_in_link(self) -> Pose:
+        """Pose of its frame in the frame of its link; for a sensor on a joint, of the joint's child."""
+        return self._core.pose_in_link
+
+    @property
+    def link_name(self) -> str:
+        """The scoped name of that link."""
+        return self._core.link_name
+
+    @property
+    def frame_name(self) -> str:
+        """Its frame's name in messages."""
+        return self._core.frame_name
+
+    @property
+    def topics(self) -> dict[str, str]:
+        """The topic of each of its kinds of readings."""
+        return {kind: "/" + topic.lstrip("/") for kind, topic in self._core.topics.items()}
+
+    @property
+    def has_noise(self) -> bool:
+        """Whether its readings depend on the seed: its element has a <noise> of a type other than none."""
+        return self._core.has_noise
+
+    @property
     def update_rate(self) -> float:
         """Readings per simulated second; 0: one per step."""
         return self._core.update_rate

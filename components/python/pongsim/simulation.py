@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import warnings
 from types import TracebackType
-from typing import Any, Callable, Iterable, Union
+from typing import Any, Callable, Iterable, Sequence, Union
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .arrays import view
 from .errors import WorldWarning
+from .names import closest
 from .sensor import Sensor
+from .state import Layout, layout_of, models_of, numbers
 from .system import System
+from .values import Contacts, Pose, RayHit, RayHits
+from .worlds import find
+
+#: What has inserted or removed models, and with which arguments.
+_Edit = tuple[str, "dict[str, Any]"]
 
 #: A dict by the names of fields, protobuf's text format, or an object of a message's own Python class.
 Message = Union["dict[str, Any]", str, Any]
@@ -45,7 +53,8 @@ class Simulation(_core.Simulation):
     ) -> None:
         """Loads a world.
 
-        world: an SDF or URDF file, or its text, which contains a "<".
+        world: an SDF or URDF file, or its text, which contains a "<". A file that is not there is looked for among the
+            worlds of pongsim (`pongsim.worlds`).
         file: for a text, its file name, used in messages and as the base of relative paths.
         seed: seed of all random numbers.
         systems: systems in Python in addition to those of the file, as for `add`.
@@ -59,10 +68,20 @@ class Simulation(_core.Simulation):
         Raises LoadError with file, line and column if the world can't run; warns with WorldWarning about what is left
         out.
         """
+        self._options = {
+            "load_systems": load_systems, "strict": strict, "threads": threads, "levels": levels, "network": network,
+            "domain": domain, "interface": interface, "file": os.fspath(file),
+        }
+        self._seed = _seed(seed)
+        found = find(world)
+        #: The world's text, or its file from any folder.
+        self._source = found if "<" in found else os.path.abspath(found)
         super().__init__(
-            os.fspath(world), seed, load_systems, strict, threads, levels, network, domain, interface,
-            os.fspath(file),
+            found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file),
         )
+        self._systems: list[System] = []
+        #: What `insert` and `remove` have done since the start.
+        self._edits: list[_Edit] = []
         for diagnostic in self.diagnostics:
             warnings.warn(str(diagnostic), WorldWarning, stacklevel=2)
         for system in systems:
@@ -76,10 +95,63 @@ class Simulation(_core.Simulation):
     ) -> None:
         self.close()
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        # a misspelt `step_size` would change nothing, silently
+        if type(self) is Simulation and not name.startswith("_") and not hasattr(Simulation, name):
+            raise AttributeError(f"a Simulation has no attribute '{name}'{closest(name, dir(Simulation))}")
+        super().__setattr__(name, value)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles its file or text, options, systems in Python, models inserted and removed here, and its state."""
+        return _again, (type(self), self._source, self._seed, self._options, self._systems, self._edits, self.save())
+
     def __repr__(self) -> str:
         if self.is_closed:
             return "<pongsim.Simulation, closed>"
         return f"<pongsim.Simulation '{self.name}' at {self.time:g} s>"
+
+    def reset(self, seed: int | None = None) -> None:
+        """Resets the world to its start, with the same bits, and a new seed or the same.
+
+        Inserted models are removed, and removed ones return; changed properties are those of the file again; systems and
+        subscriptions stay. Messages that wait are dropped, and sensors have no reading until the next one.
+        """
+        if seed is not None:
+            self._seed = _seed(seed)
+        super().reset(seed)
+        self._edits.clear()
+
+    def insert(
+        self,
+        source: str | os.PathLike[str],
+        *,
+        name: str = "",
+        pose: Pose | Sequence[float] | None = None,
+        allow_renaming: bool = False,
+        namespace: str = "",
+    ) -> _core.Model:
+        """Inserts the first model of a file, a model folder, or SDF or URDF text, with its systems.
+
+        name: replaces its own.
+        pose: of the model frame in the world, replaces the file's: a Pose, x y z, or x y z roll pitch yaw [m, rad].
+        allow_renaming: use NAME_0, NAME_1 and so on if the name is taken.
+        namespace: prefix of all its topics, such as "/robot1".
+        Raises LoadError, with the position in the file.
+        """
+        model = super().insert(source, name=name, pose=pose, allow_renaming=allow_renaming, namespace=namespace)
+        text = os.fspath(source)
+        self._edits.append(("insert", {
+            "source": text if "<" in text else os.path.abspath(text), "name": model.name, "pose": pose,
+            "namespace": namespace,
+        }))
+        return model
+
+    def remove(self, model: _core.Model, *others: _core.Model) -> None:
+        """Removes top-level models with their systems and the joints connected to them: all of them or, raising Refused,
+        none. Several at once are faster than one by one."""
+        names = [each.name for each in (model, *others) if isinstance(each, _core.Model) and each.exists]
+        super().remove(model, *others)
+        self._edits.append(("remove", {"models": names}))
 
     def add(self, system: System) -> None:
         """Adds a system in Python after all others. Raises SystemFailed if its `configure` raises."""
@@ -89,10 +161,11 @@ class Simulation(_core.Simulation):
             raise ValueError("the system is already in a simulation; use a new one")
         system._simulation = self
         try:
-            self.add_system(system.name or type(system).__name__, system)
+            self._add_system(system.name or type(system).__name__, system)
         except BaseException:
             system._simulation = None
             raise
+        self._systems.append(system)
 
     def sensor(self, name: str, *kinds: str) -> Sensor:
         """Returns the sensor with that name, and switches it on.
@@ -102,17 +175,153 @@ class Simulation(_core.Simulation):
             its type.
         Raises KeyError, and ValueError for a kind that the sensor does not have.
         """
-        return Sensor(self.find_sensor(name), kinds)
+        return Sensor(self._find_sensor(name), kinds)
+
+    @property
+    def layout(self) -> Layout:
+        """What the numbers of `qpos` and `qvel` are: their names, and where each model and joint is."""
+        return layout_of(self)
+
+    @property
+    def qpos(self) -> NDArray[np.float64]:
+        """Positions of everything that moves: a new array, which can't be written to; assign a whole one.
+
+        For each top-level model: if nothing holds it to the world, x, y, z [m] and a quaternion x, y, z, w of its frame in
+        the world frame; then the position of each axis of its joints [rad or m]. Of a model whose links are not connected,
+        each link that is free has a pose. Ball joints have no axis: they keep their relative pose.
+        Assignment keeps `qvel`, and raises ValueError and Refused like `set_state`.
+        """
+        return view(self._positions(), "f8", (-1,))
+
+    @qpos.setter
+    def qpos(self, positions: ArrayLike) -> None:
+        self.set_state(qpos=positions)
+
+    @property
+    def qvel(self) -> NDArray[np.float64]:
+        """Velocities of everything that moves, in the order of `qpos`: a new array, which can't be written to.
+
+        For what is free, the velocity of its frame's origin [m/s] and its angular velocity [rad/s], both in the world frame
+        (6 numbers); for each axis its velocity [rad/s or m/s].
+        """
+        return view(self._velocities(), "f8", (-1,))
+
+    @qvel.setter
+    def qvel(self, velocities: ArrayLike) -> None:
+        self.set_state(qvel=velocities)
+
+    def set_state(self, qpos: ArrayLike | None = None, qvel: ArrayLike | None = None) -> None:
+        """Sets positions and velocities of everything that moves, between two steps.
+
+        What equals the present number is not touched, so `sim.qpos = sim.qpos` changes no bit. Limits of joints are ignored.
+        Without `qvel`, velocities keep their numbers.
+        Raises ValueError for another size, numbers that are not finite, and quaternions that are not of length 1; Refused
+        for joints in loops and for what is joined to another model: then what was set already is put back, but for rounding.
+        """
+        self._write_state(
+            None if qpos is None else np.ascontiguousarray(qpos, np.float64),
+            None if qvel is None else np.ascontiguousarray(qvel, np.float64),
+        )
+
+    def set_joint_states(self, states: ArrayLike, names: Sequence[str] | None = None) -> None:
+        """Sets positions and velocities of joints' axes, all at once, between two steps.
+
+        states: n x 2 numbers like those of `joint_states`.
+        names: those of `joint_names` that they are for; None: all.
+        Raises KeyError, ValueError and Refused, like `set_state`.
+        """
+        layout = self.layout
+        wanted = self.joint_names if names is None else list(names)
+        given = numbers(states, (len(wanted), 2), "joint states")
+        places = {name: i for i, name in enumerate(layout.qpos_names)}
+        speeds = {name: i for i, name in enumerate(layout.qvel_names)}
+        qpos, qvel = self.qpos.copy(), self.qvel.copy()
+        for name, (position, velocity) in zip(wanted, given):
+            if name not in speeds or name not in places:
+                raise KeyError(f"there is no joint axis '{name}'{closest(name, self.joint_names)}")
+            qpos[places[name]] = position
+            qvel[speeds[name]] = velocity
+        self.set_state(qpos, qvel)
+
+    def set_poses(self, poses: ArrayLike, names: Sequence[str] | None = None, *, stop: bool = False) -> None:
+        """Moves models with all their links, between two steps.
+
+        poses: n x 7 numbers like those of `poses`.
+        names: those of `model_names` that they are for; None: all.
+        stop: set their velocities to zero; otherwise these rotate with them, as in Fortress.
+        Raises KeyError, ValueError, and Refused if a joint connects a model to something outside of it; then none is moved,
+        but for rounding.
+        """
+        models = models_of(self, names)
+        self._move_models(models, numbers(poses, (len(models), 7), "poses"), stop)
+
+    def velocities(self) -> NDArray[np.float64]:
+        """Velocities of all models, in the order of `model_names`: a new array of n x 6, of the velocity of the model frame's
+        origin [m/s] and the angular velocity [rad/s], both in the world frame."""
+        return view(self._model_velocities(models_of(self, None)), "f8", (-1, 6))
+
+    def set_velocities(self, velocities: ArrayLike, names: Sequence[str] | None = None) -> None:
+        """Sets the velocities of models. All their links change accordingly; joint velocities stay.
+
+        velocities: n x 6 numbers like those of `velocities`.
+        names: those of `model_names` that they are for; None: all.
+        Raises KeyError, and ValueError for numbers that are not finite.
+        """
+        models = models_of(self, names)
+        given = numbers(velocities, (len(models), 6), "velocities")
+        if not np.isfinite(given).all():
+            raise ValueError("velocities must be finite")
+        self._set_model_velocities(models, given)
+
+    def contacts(self) -> Contacts:
+        """The contact points of the last step, as arrays."""
+        ids, values, names = self._contacts()
+        pairs = view(ids, "u8", (-1, 2))
+        rows = view(values, "f8", (-1, 10))
+        return Contacts(
+            [(names[first], names[second]) for first, second in pairs.tolist()],
+            pairs, rows[:, 0:3], rows[:, 3:6], rows[:, 6], rows[:, 7:10],
+        )
+
+    def raycast(
+        self, origin: ArrayLike, direction: ArrayLike, max_distance: float = np.inf, *, visibility_mask: int = 0xFFFFFFFF
+    ) -> RayHit:
+        """Finds the first visual that a ray hits, as a lidar does: surfaces are hit from outside.
+
+        origin, direction: x, y, z in the world frame [m]; the direction may have any length.
+        max_distance: [m]
+        visibility_mask: visuals are visible that share a bit with their `<visibility_flags>`.
+        Raises ValueError for numbers that are not finite.
+        """
+        hits = self.raycasts(
+            numbers(origin, (3,), "an origin")[None], numbers(direction, (3,), "a direction")[None], max_distance,
+            visibility_mask=visibility_mask,
+        )
+        return RayHit(float(hits.distances[0]), hits.points[0], hits.links[0])
+
+    def raycasts(
+        self, origins: ArrayLike, directions: ArrayLike, max_distance: float = np.inf, *, visibility_mask: int = 0xFFFFFFFF
+    ) -> RayHits:
+        """Like `raycast` for many rays: arrays of n x 3, or three numbers for all."""
+        begin, along = np.broadcast_arrays(np.asarray(origins, np.float64), np.asarray(directions, np.float64))
+        if begin.ndim != 2 or begin.shape[1] != 3:
+            raise ValueError(f"origins and directions must be arrays of shape (n, 3), not {begin.shape}")
+        begin, along = np.ascontiguousarray(begin), np.ascontiguousarray(along)
+        memory, links = self._cast_rays(begin, along, max_distance, visibility_mask)
+        distances = view(memory, "f8", (-1,))
+        with np.errstate(invalid="ignore"):
+            points = begin + along * (distances / np.linalg.norm(along, axis=1))[:, None]
+        return RayHits(distances, points, links)
 
     def poses(self) -> NDArray[np.float64]:
         """Poses of all models in the world frame, in the order of `model_names`: a new array of n x 7, of x, y, z [m] and
         the quaternion x, y, z, w."""
-        return view(self.poses_memory(), "f8", (-1, 7))
+        return view(self._poses(), "f8", (-1, 7))
 
     def joint_states(self) -> NDArray[np.float64]:
         """Positions [rad or m] and velocities [rad/s or m/s] of all joints' axes, in the order of `joint_names`: a new
         array of n x 2."""
-        return view(self.joint_states_memory(), "f8", (-1, 2))
+        return view(self._joint_states(), "f8", (-1, 2))
 
     def subscribe(
         self, topic: str, to: Callable[[Any], object] | Any, *, type: Any = None, length: int = 1000
@@ -125,7 +334,7 @@ class Simulation(_core.Simulation):
         type: type of the messages: None: dicts; a message class: its objects; `bytes`: the encoded messages.
         length: largest number of waiting messages; then the oldest is dropped.
         """
-        return self.open_subscription(topic, _receiver(to), type, length)
+        return self._open_subscription(topic, _receiver(to), type, length)
 
     def publish(self, topic: str, message: Message, *, type: str = "") -> None:
         """Publishes a message. It arrives at the start of the next step.
@@ -134,7 +343,7 @@ class Simulation(_core.Simulation):
             simulation.
         Raises ValueError and TypeError that name the wrong field.
         """
-        self.publish_message(topic, message, type)
+        self._publish(topic, message, type)
 
     def request(
         self, service: str, request: Message, *, type: str = "", reply: Any = "Boolean", timeout: float = 5.0
@@ -146,7 +355,7 @@ class Simulation(_core.Simulation):
         timeout: time to wait for other processes [s of wall time].
         Raises ServiceError if there is no such service, or if it refuses or does not respond.
         """
-        return self.ask(service, request, type, reply, timeout)
+        return self._ask(service, request, type, reply, timeout)
 
 
 def _receiver(to: Any) -> Callable[[Any], object]:
@@ -167,3 +376,29 @@ def _put(queue: Any, message: Any) -> None:
     while queue.full():
         queue.get_nowait()
     queue.put_nowait(message)
+
+
+def _seed(seed: Any) -> int:
+    """Checks a seed. Raises TypeError and ValueError."""
+    number = operator.index(seed)
+    if not 0 <= number < 2**64:
+        raise ValueError(f"a seed must be 0 to 2**64 - 1, not {number}")
+    return number
+
+
+def _again(
+    kind: type[Simulation], world: str, seed: int, options: dict[str, Any], systems: list[System], edits: list[_Edit],
+    state: bytes,
+) -> Simulation:
+    """Makes a simulation from what `Simulation.__reduce__` has kept of another."""
+    with warnings.catch_warnings():
+        # they were given when it was loaded first
+        warnings.simplefilter("ignore", WorldWarning)
+        simulation = kind(world, seed=seed, systems=systems, **options)
+        for name, arguments in edits:
+            if name == "insert":
+                simulation.insert(**arguments)
+            else:
+                simulation.remove(*(simulation.model(model) for model in arguments["models"]))
+    simulation.restore(state)
+    return simulation

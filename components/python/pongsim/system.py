@@ -24,6 +24,23 @@ class System:
     error: BaseException | None = None
     _simulation: Simulation | None = None
 
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        """Refuses methods such as `preUpdate`, which would never be called. Raises TypeError."""
+        super().__init_subclass__(**arguments)
+        known = {name.replace("_", ""): name for name in vars(System) if not name.startswith("_") and name not in ("name", "error", "sim")}
+        for name, value in vars(cls).items():
+            meant = known.get(name.replace("_", "").lower())
+            if callable(value) and not name.startswith("_") and meant not in (None, name):
+                raise TypeError(f"{cls.__name__}.{name} would never be called; did you mean '{meant}'?")
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leaves out the simulation and what refers to it, which `configure` finds again."""
+        from . import _core
+        from .sensor import Sensor
+
+        parts = (_core.Simulation, _core.Model, _core.Link, _core.Joint, _core.Collision, _core.Subscription, Sensor)
+        return {name: value for name, value in vars(self).items() if not isinstance(value, parts)}
+
     @property
     def sim(self) -> Simulation:
         """Its simulation. Raises RuntimeError before it is added."""

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/handles.hh"
+
+namespace pongsim::python {
+
+using PyCollision = Handle<Collision>;
+
+/// Binds what models, links and joints consist of, and what of it can be changed.
+void bindCollision(py::class_<PyCollision>& collision);
+void bindProperties(py::class_<PyLink>& link);
+void bindProperties(py::class_<PyJoint>& joint);
+
+}  // namespace pongsim::python

@@ -1,0 +1,12 @@
+"""Names that are alike, for messages."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Iterable
+
+
+def closest(name: str, known: Iterable[str]) -> str:
+    """Returns "; did you mean 'x'?" for the known public name that is most like it, or nothing."""
+    found = difflib.get_close_matches(name, [each for each in known if not each.startswith("_")], n=1)
+    return f"; did you mean '{found[0]}'?" if found else ""

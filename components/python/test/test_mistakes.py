@@ -1,0 +1,119 @@
+"""Mistakes that would do nothing are errors."""
+
+import inspect
+import math
+import pydoc
+
+import pytest
+from conftest import BALL
+
+import pongsim
+
+
+def test_a_message_of_another_type_than_the_topics(court):
+    with pytest.raises(ValueError, match="'/cmd_vel' has the type ignition.msgs.Twist, not ignition.msgs.Pose"):
+        court.publish("/cmd_vel", {"name": "x"}, type="Pose")
+    court.publish("/a", {"data": 1}, type="Int32")
+    with pytest.raises(ValueError, match="Int32"):
+        court.publish("/a", {"data": "1"}, type="StringMsg")
+    # who hears any type hears several
+    heard = []
+    court.subscribe("/b", heard)
+    court.publish("/b", {"data": 1}, type="Int32")
+    court.publish("/b", {"data": "1"}, type="StringMsg")
+    court.step()
+    assert heard == [{"data": 1}, {"data": "1"}]
+
+
+def test_a_subscription_with_the_wrong_class(court):
+    with pytest.raises(ValueError, match="Odometry, not ignition.msgs.Twist"):
+        court.subscribe("/model/pong_bot/odometry", print, type=pongsim.messages.Twist)
+    for wrong in ("Twist", int, pongsim.messages.Twist()):
+        with pytest.raises(TypeError, match="message class"):
+            court.subscribe("/a", print, type=wrong)
+    court.subscribe("/model/pong_bot/odometry", [].append, type=pongsim.messages.Odometry)
+    # a class for a topic that comes later
+    court.subscribe("/later", [].append, type=pongsim.messages.Twist)
+    court.publish("/later", {"data": 1}, type="Int32")
+    with pytest.raises(TypeError, match="Int32"):
+        court.step()
+
+
+def test_numbers_that_a_command_refuses_every_time(court):
+    for _ in range(3):
+        for bad in (math.nan, math.inf, 1e300):
+            with pytest.raises(ValueError, match=r"/cmd_vel.*linear"):
+                court.publish("/cmd_vel", {"linear": {"x": bad}})
+    # nobody refuses them here
+    heard = []
+    court.subscribe("/a", heard)
+    court.publish("/a", {"data": math.nan}, type="Double")
+    court.step()
+    assert math.isnan(heard[0]["data"])
+
+
+@pytest.mark.parametrize("name, meant", [("preUpdate", "pre_update"), ("preupdate", "pre_update"),
+                                         ("postUpdate", "post_update"), ("worldChanged", "world_changed"),
+                                         ("Configure", "configure")])
+def test_a_method_that_is_never_called(name, meant):
+    with pytest.raises(TypeError, match=f"Judge.{name} would never be called; did you mean '{meant}'"):
+        type("Judge", (pongsim.System,), {name: lambda self: None})
+    # other names are free
+    type("Judge", (pongsim.System,), {"updated": lambda self: None, "preupdate_": 3, "_preUpdate": lambda self: None})
+
+
+def test_an_attribute_that_is_not_there(ball):
+    with pytest.raises(AttributeError, match="step_sise.*did you mean 'step_size'"):
+        ball.step_sise = 3
+    with pytest.raises(AttributeError):
+        ball.anything = 3
+    ball.step_size = 0.002
+    ball.gravity = (0, 0, 0)
+    for part in (ball.model("ball"), ball.model("ball").link("link"), ball.model("arm").joint("hinge")):
+        with pytest.raises(AttributeError):
+            part.mas = 3
+
+    class Own(pongsim.Simulation):
+        pass
+
+    with Own(BALL) as own:
+        own.score = 3
+
+
+def test_seeds():
+    for bad in (-1, 2**64):
+        with pytest.raises(ValueError, match=f"a seed must be 0 to .*not {bad}"):
+            pongsim.Simulation(BALL, seed=bad)
+    with pytest.raises(TypeError):
+        pongsim.Simulation(BALL, seed=1.5)
+    with pongsim.Simulation(BALL, seed=2**64 - 1) as sim:
+        with pytest.raises(ValueError, match="not -5"):
+            sim.reset(seed=-5)
+        sim.reset(seed=7)
+
+
+def public(kind):
+    return [name for name in dir(kind) if not name.startswith("_")]
+
+
+def test_everything_has_a_signature():
+    for name in pongsim.__all__:
+        kind = getattr(pongsim, name)
+        if not isinstance(kind, type) or issubclass(kind, (Exception, tuple)):
+            continue
+        for part in public(kind):
+            function = inspect.getattr_static(kind, part)
+            if callable(function):
+                signature = inspect.signature(getattr(kind, part))
+                assert all(not parameter.startswith("arg") for parameter in signature.parameters), (name, part)
+    assert str(inspect.signature(pongsim.Simulation.step)) == "(self, count=1)"
+    assert str(inspect.signature(pongsim.Link.add_wrench)) == "(self, force, torque=(0.0, 0.0, 0.0))"
+    assert str(inspect.signature(pongsim.Model.move)) == "(self, pose, *, stop=False)"
+
+
+@pytest.mark.parametrize("kind", [pongsim.Simulation, pongsim.Model, pongsim.Link, pongsim.Joint, pongsim.Sensor,
+                                  pongsim.System, pongsim.Subscription, pongsim.Collision])
+def test_help_is_for_readers(kind):
+    text = pydoc.plain(pydoc.render_doc(kind))
+    for internal in ("::python", "std::", "Owner", "_memory", "find_sensor", "open_subscription", "ask(", "arg0", "handle"):
+        assert internal not in text, text[max(0, text.find(internal) - 200):text.find(internal) + 100]
