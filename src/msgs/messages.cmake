@@ -5,7 +5,8 @@ find_path(ignition_msgs_proto_dir ignition/msgs/entity.proto PATHS ${ignition_ms
 set(folder ${CMAKE_BINARY_DIR}/messages)
 file(MAKE_DIRECTORY ${folder})
 set(sources)
-foreach(name attach_detach_request dataframe entity_wrench odometry_with_covariance pose_with_covariance result
+foreach(name air_speed attach_detach_request dataframe dvl_beam_state dvl_kinematic_estimate dvl_range_estimate
+        dvl_tracking_target dvl_velocity_tracking entity_wrench odometry_with_covariance pose_with_covariance result
         twist_with_covariance wheel_slip_parameters_cmd)
   if(EXISTS ${ignition_msgs_proto_dir}/ignition/msgs/${name}.proto)
     continue()

@@ -9,17 +9,23 @@ namespace {
 
 struct Row {
   std::string_view sensorType, system, className;
+  /// Whether Fortress lacks the system, and later releases have it.
+  bool isLater = false;
 };
 
 constexpr std::string_view kSensors = "sensors", kSensorsClass = "Sensors";
 
 constexpr auto kRows = std::to_array<Row>({
     {"air_pressure", "air-pressure", "AirPressure"},
+    {"air_speed", "air-speed", "AirSpeed", true},
     {"altimeter", "altimeter", "Altimeter"},
     {"camera", kSensors, kSensorsClass},
     {"contact", "contact", "Contact"},
     {"depth", kSensors, kSensorsClass},
     {"depth_camera", kSensors, kSensorsClass},
+    {"dvl", "dvl", "DopplerVelocityLogSystem", true},
+    {"environmental_sensor", "environmental-sensor", "EnvironmentalSystem", true},
+    {"environmental_vector_sensor", "environmental-sensor", "EnvironmentalSystem", true},
     {"force_torque", "forcetorque", "ForceTorque"},
     {"gpu_lidar", kSensors, kSensorsClass},
     {"gpu_ray", kSensors, kSensorsClass},
@@ -33,19 +39,30 @@ constexpr auto kRows = std::to_array<Row>({
     {"rgbd_camera", kSensors, kSensorsClass},
 });
 
-}  // namespace
-
-description::Plugin fortressPlugin(std::string_view system, std::string_view className) {
+description::Plugin pluginNamed(const std::string& prefix, std::string_view system, const std::string& scope,
+                                std::string_view className) {
   description::Plugin plugin;
-  plugin.filename = "ignition-gazebo-" + std::string(system) + "-system";
-  plugin.className = "ignition::gazebo::systems::" + std::string(className);
+  plugin.filename = prefix + std::string(system) + "-system";
+  plugin.className = scope + std::string(className);
   plugin.sdf.name = "plugin";
   return plugin;
 }
 
+/// @return A plugin with the names of a system of Gazebo's later releases.
+description::Plugin laterPlugin(std::string_view system, std::string_view className) {
+  return pluginNamed("gz-sim-", system, "gz::sim::systems::", className);
+}
+
+}  // namespace
+
+description::Plugin fortressPlugin(std::string_view system, std::string_view className) {
+  return pluginNamed("ignition-gazebo-", system, "ignition::gazebo::systems::", className);
+}
+
 description::Plugin sensorPlugin(std::string_view sensorType) {
   const auto row = std::ranges::find(kRows, sensorType, &Row::sensorType);
-  return row == kRows.end() ? description::Plugin() : fortressPlugin(row->system, row->className);
+  if (row == kRows.end()) return {};
+  return row->isLater ? laterPlugin(row->system, row->className) : fortressPlugin(row->system, row->className);
 }
 
 void SensorCheck::add(const Declaration& system) {

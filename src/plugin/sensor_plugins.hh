@@ -18,7 +18,8 @@ namespace pongsim::plugin {
 /// @return A plugin with the names of one of Fortress's systems.
 description::Plugin fortressPlugin(std::string_view system, std::string_view className);
 
-/// @return The plugin of Fortress that simulates sensors of this type, without a filename if no plugin does.
+/// @return The plugin of Fortress, or of later releases, that simulates sensors of this type; without a filename if no
+/// plugin does.
 description::Plugin sensorPlugin(std::string_view sensorType);
 
 /// Finds sensors that publish nothing, because no system of their world simulates their type. Fortress doesn't warn of

@@ -45,6 +45,17 @@ TEST_F(SensorCheckTest, SumsUpSensorsAndTheirPlugins) {
             "name=\"ignition::gazebo::systems::Imu\"/>");
 }
 
+TEST_F(SensorCheckTest, NamesThePluginsOfLaterReleasesAsTheyDo) {
+  const description::Sensor all[] = {sensor("pitot", "air_speed"), sensor("log", "dvl")};
+  for (const description::Sensor& each : all) check_.add(each);
+  EXPECT_EQ(report(),
+            "world.sdf:12:5: warning: sensor 'pitot' (air_speed) and another one publish nothing: no plugin of the "
+            "world simulates them\n"
+            "  hint: add to the <world> <plugin filename=\"gz-sim-air-speed-system\" "
+            "name=\"gz::sim::systems::AirSpeed\"/> <plugin filename=\"gz-sim-dvl-system\" "
+            "name=\"gz::sim::systems::DopplerVelocityLogSystem\"/>");
+}
+
 TEST_F(SensorCheckTest, IsSilentWhereAllIsSimulatedOrNothingCouldBe) {
   Declaration declaration;
   declaration.measures({.sensorType = "imu"});

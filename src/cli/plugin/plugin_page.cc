@@ -133,8 +133,10 @@ void addClassMarkdown(const std::string& name, const Declaration& declaration, c
   }
 }
 
-/// @return The name used in Fortress's worlds.
-std::string fortressFilename(const std::string& name) { return "ignition-gazebo-" + name + "-system"; }
+/// @return The name used in Fortress's worlds, or in those of later releases for a system that only they have.
+std::string worldsFilename(const std::string& name, std::string_view className) {
+  return (className.starts_with("gz::") ? "gz-sim-" : "ignition-gazebo-") + name + "-system";
+}
 
 }  // namespace
 
@@ -153,17 +155,18 @@ std::string pluginText(const plugin::CoreSystem& system) {
 std::string pluginMarkdown(const plugin::Inspection& inspection) {
   const std::string file = inspection.file().filename().string();
   const std::string name = plugin::systemName(file);
-  const std::string filename = file.starts_with("libpongsim-") ? fortressFilename(name) : name;
   std::string text;
   for (const auto& found : inspection.classes()) {
-    addClassMarkdown(found.names.front(), found.declaration, filename, text);
+    const std::string& className = found.names.front();
+    const std::string filename = file.starts_with("libpongsim-") ? worldsFilename(name, className) : name;
+    addClassMarkdown(className, found.declaration, filename, text);
   }
   return text;
 }
 
 std::string pluginMarkdown(const plugin::CoreSystem& system) {
   std::string text;
-  addClassMarkdown(system.className, system.declaration, fortressFilename(system.name), text);
+  addClassMarkdown(system.className, system.declaration, worldsFilename(system.name, system.className), text);
   return text + "\nPart of pongsim itself.\n";
 }
 
