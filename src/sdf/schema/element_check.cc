@@ -71,6 +71,12 @@ void checkRequired(const Element& element, const Schema::ElementType& type, Cont
   }
 }
 
+/// @return Whether an element is a custom sensor's own, which its system reads.
+bool isOfCustomSensor(const Element& child, const Element& parent, std::span<const Schema::Part> known) {
+  return parent.name == "sensor" && parent.attributeOr("type", "") == "custom" &&
+         Schema::find(known, child.name) == nullptr;
+}
+
 /// @param isPassed Whether no reader handles the element: then its values are checked here.
 /// @param isActorLink Whether it is an actor's link, of which only the pose and the visuals are read.
 void check(const Element& element, const Schema::ElementType* type, bool isPassed, bool isActorLink, Context& context) {
@@ -86,6 +92,7 @@ void check(const Element& element, const Schema::ElementType* type, bool isPasse
   }
   for (const Element& child : element.children) {
     if (child.name.find(':') != std::string::npos) continue;
+    if (isOfCustomSensor(child, element, type->children)) continue;
     if (element.name == "sdf" && child.name == "include") {
       // which libsdformat reads there, but does not describe
       check(child, Schema::instance().typeOf("world.include"), isPassed, false, context);

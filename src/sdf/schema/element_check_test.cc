@@ -22,6 +22,12 @@ TEST(ElementCheck, LeavesTheUsersOwnAlone) {
             Messages());
 }
 
+TEST(ElementCheck, LeavesWhatACustomSensorHasToItsSystem) {
+  const std::string sensor = "<sensor name='s' type='custom' gz:type='environmental_sensor/heat'>";
+  EXPECT_EQ(loadLink(sensor + "<output_format>scalar</output_format></sensor>").messages, Messages());
+  EXPECT_EQ(loadLink(sensor + "<update_rate>often</update_rate></sensor>").messages.size(), 1U);
+}
+
 TEST(ElementCheck, KnowsWhenAnElementWasTakenOut) {
   const std::string joint =
       "<link name='a'/><link name='b'/><joint name='j' type='revolute'><parent>a</parent><child>b</child>\n"

@@ -1,6 +1,7 @@
 #include "pongsim/sensing/sensor.hh"
 
 #include "pongsim/node.hh"
+#include "pongsim/sensing/custom_type.hh"
 #include "sim/api/access.hh"
 
 namespace pongsim {
@@ -85,7 +86,11 @@ std::string Sensor::topic(std::string_view suffix) const {
     const world::LinkRecord& link = entities.links()[sensor.link];
     topic += modelTopic(entities, link.model) + "/link/" + link.description->name;
   }
-  return topic.append("/sensor/").append(sensor.description->name).append(suffix);
+  topic.append("/sensor/").append(sensor.description->name).append(suffix);
+  // as in Gazebo, the default topic of an environmental sensor has its whole type: "environmental_sensor/humidity"
+  const std::string_view type = customTypeOf(sensor.description->sdf);
+  const bool isContinued = !suffix.empty() && type.starts_with(suffix.substr(1)) && type[suffix.size() - 1] == '/';
+  return isContinued ? topic.append(type.substr(suffix.size() - 1)) : topic;
 }
 
 std::string Sensor::topic(const SensorReadings& readings) const {

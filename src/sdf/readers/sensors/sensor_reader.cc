@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/nearest_word.hh"
+#include "pongsim/sensing/custom_type.hh"
 #include "sdf/readers/sensors/camera_reader.hh"
 #include "sdf/readers/sensors/lidar_reader.hh"
 #include "sdf/readers/sensors/noise_reader.hh"
@@ -170,7 +171,7 @@ struct SensorType {
 
 constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"air_pressure", "air_pressure", "", true},
-    {"air_speed", "air_speed", "", false},
+    {"air_speed", "air_speed", "", true},
     {"altimeter", "altimeter", "", true},
     {"boundingbox", "camera", "", false},
     {"boundingbox_camera", "camera", "", false},
@@ -179,6 +180,9 @@ constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"custom", "", "", false},
     {"depth", "camera", "", true},
     {"depth_camera", "camera", "", true},
+    {"dvl", "", "", true},
+    {"environmental_sensor", "", "", true},
+    {"environmental_vector_sensor", "", "", true},
     {"force_torque", "force_torque", "", true},
     {"gps", "navsat", "gps", false},
     {"gpu_lidar", "lidar", "ray", true},
@@ -204,6 +208,15 @@ constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"wireless_receiver", "transceiver", "", false},
     {"wireless_transmitter", "transceiver", "", false},
 });
+
+/// @return The sensor's type; that of a custom sensor that a system of pongsim simulates is a type of its own.
+std::string typeOf(const Element& element, const std::string& type) {
+  if (type != "custom") return type;
+  const std::string_view custom = customTypeOf(element);
+  if (custom == "dvl") return "dvl";
+  if (!custom.starts_with("environmental_sensor/")) return type;
+  return childText(element, "output_format") == "vector3" ? "environmental_vector_sensor" : "environmental_sensor";
+}
 
 /// Warns about a sensor that publishes nothing because its type is not simulated; once for each type.
 void warnIfSilent(const SensorType* row, const description::Sensor& sensor, Context& context) {
@@ -278,7 +291,7 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
     sensor.plugins.push_back(readPlugin(*plugin, labelOf(sensor), context));
   }
   if (const Element::Attribute* type = element.attribute("type")) {
-    sensor.type = type->value;
+    sensor.type = typeOf(element, type->value);
     sensor.settings = readSettings(element, sensor, context);
     const Element* camera = element.child("camera");
     if (camera != nullptr && std::holds_alternative<CameraSettings>(sensor.settings)) {

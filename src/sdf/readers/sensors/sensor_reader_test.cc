@@ -184,6 +184,21 @@ TEST(Sensor, ReadsWhatIsOfNoType) {
   EXPECT_NE(sensorOf(loaded).plugins.at(0).sdf.child("x"), nullptr);
 }
 
+TEST(Sensor, OfACustomTypeHasThatOfItsSystem) {
+  const auto typeOf = [](const std::string& attribute, const std::string& content) {
+    const auto loaded = loadLink("<sensor name='s' type='custom' " + attribute + ">" + content + "</sensor>");
+    return loaded.root.worlds.at(0).models.at(0).links.at(0).sensors.at(0).type;
+  };
+  EXPECT_EQ(typeOf("gz:type='dvl'", ""), "dvl");
+  EXPECT_EQ(typeOf("ignition:type='dvl'", ""), "dvl");
+  EXPECT_EQ(typeOf("gz:type='environmental_sensor/heat'", ""), "environmental_sensor");
+  EXPECT_EQ(typeOf("gz:type='environmental_sensor/heat'", "<output_format>vector3</output_format>"),
+            "environmental_vector_sensor");
+  EXPECT_EQ(typeOf("gz:type='environmental_sensor'", ""), "custom");
+  EXPECT_EQ(typeOf("gz:type='odometer'", ""), "custom");
+  EXPECT_EQ(typeOf("", ""), "custom");
+}
+
 TEST(Sensor, WarnsOfTheParametersOfAnotherType) {
   EXPECT_EQ(loadLink("<sensor name='s' type='imu'>\n<camera/></sensor>").messages,
             Messages{"t.sdf:5:1: warning: <camera> has no effect in a sensor of type 'imu'"});
