@@ -51,6 +51,11 @@ class PONGSIM_API CommsSystem : public System {
   /// @return Whether it is delivered.
   virtual bool carries(const Radio& from, const Radio& to, Time now, ignition::msgs::Dataframe& message) = 0;
 
+  /// Publishes a message on all topics of an address: for a derived class that delivers later what it `carries`.
+  void deliver(const std::string& address, const ignition::msgs::Dataframe& message);
+  /// @return The model of an address; nothing if it is not bound to an existing one.
+  std::optional<Model> modelOf(const std::string& address) const;
+
   /// Warns at most once per simulated second.
   void warnSeldom(const std::string& text);
 

@@ -55,8 +55,8 @@ class CommsEndpoint : public System {
                                   "the address '" + address_ +
                                       "' is not bound: no system before this one offers the service '" + bindService_ +
                                       "'",
-                                  "add a broker to the world before it: ignition-gazebo-perfect-comms-system or "
-                                  "ignition-gazebo-rf-comms-system");
+                                  "add a broker to the world before it: ignition-gazebo-perfect-comms-system, "
+                                  "ignition-gazebo-rf-comms-system or gz-sim-acoustic-comms-system");
     }
   }
 

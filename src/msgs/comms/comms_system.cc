@@ -220,6 +220,18 @@ void CommsSystem::carry(const std::string& address, const Binding& from, Datafra
   for (auto& [topic, publisher] : to->second.topics) publisher.publish(message);
 }
 
+void CommsSystem::deliver(const std::string& address, const Dataframe& message) {
+  const auto to = bindings_.find(address);
+  if (to == bindings_.end()) return;
+  for (auto& [topic, publisher] : to->second.topics) publisher.publish(message);
+}
+
+std::optional<Model> CommsSystem::modelOf(const std::string& address) const {
+  const auto found = bindings_.find(address);
+  if (found == bindings_.end() || !whyDetached(address, found->second).empty()) return std::nullopt;
+  return found->second.model;
+}
+
 /// @return Why the address has no model, or nothing.
 std::string CommsSystem::whyDetached(const std::string& address, const Binding& binding) const {
   if (binding.model && binding.model->exists()) return {};
