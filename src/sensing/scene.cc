@@ -90,11 +90,14 @@ void Scene::update(const world::State& state) {
   }
 }
 
-void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
+void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes,
+                 std::span<Slot> links) {
   assert(echoes.size() == directions.size());
+  assert(links.empty() || links.size() == directions.size());
   const double distance = beams.X_WorldSensor.position.norm();
   if (!(distance <= kMostDistance)) {
     std::ranges::fill(echoes, Echo{kNowhere, 0});
+    std::ranges::fill(links, world::kNoSlot);
     return;
   }
   reachTo(distance);
@@ -114,6 +117,10 @@ void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::s
     still_.cast(query);
     moving_.cast(query);
     for (std::size_t i = 0; i < query.count; ++i) echoes[first + i] = echoOf(query.beams[i], beams.minRange);
+    if (links.empty()) continue;
+    for (std::size_t i = 0; i < query.count; ++i) {
+      links[first + i] = std::isfinite(echoes[first + i].range) ? query.beams[i].hit->link : world::kNoSlot;
+    }
   }
 }
 

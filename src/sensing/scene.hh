@@ -52,7 +52,10 @@ class Scene {
   void update(const world::State& state);
 
   /// Like `BeamScene::cast`.
-  void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes);
+  /// @param links Empty, or one for each direction: the link that was hit; `world::kNoSlot` for an actor, and without a
+  /// range.
+  void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes,
+            std::span<world::Slot> links = {});
 
   /// Calls `use` with the index of each ray and its beam, which knows what it has hit.
   void cast(std::span<const Ray> rays, double maxRange, std::uint32_t visibilityMask,

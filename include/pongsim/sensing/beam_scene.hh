@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "pongsim/diagnostic.hh"
@@ -49,6 +50,11 @@ class PONGSIM_API BeamScene {
   /// @param echoes One for each direction.
   void cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
             std::uint32_t visibilityMask, std::span<Echo> echoes);
+
+  /// The same, and says what was hit.
+  /// @param targets One for each direction: the link of the visual; nothing for an actor, and without a range.
+  void cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
+            std::uint32_t visibilityMask, std::span<Echo> echoes, std::span<std::optional<LinkId>> targets);
 
  private:
   struct Content;

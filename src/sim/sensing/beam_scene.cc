@@ -1,5 +1,7 @@
 #include "pongsim/sensing/beam_scene.hh"
 
+#include <vector>
+
 #include "sensing/scene.hh"
 #include "sim/api/access.hh"
 
@@ -10,6 +12,15 @@ struct BeamScene::Content {
   sensing::Scene scene = {};
   /// `Access::changes` at the last `rebuild`.
   std::uint64_t changes = 0;
+  /// What was hit; kept for its memory.
+  std::vector<world::Slot> links = {};
+
+  sensing::Beams beamsOf(const Sensor& sensor, double minRange, double maxRange, std::uint32_t visibilityMask) const {
+    const world::Entities& entities = access.entities;
+    world::Slot model = entities.links()[sim::slotOf(access, sensor.link().id())].model;
+    while (entities.models()[model].parent != world::kNoSlot) model = entities.models()[model].parent;
+    return {sensor.pose(), entities.models()[model].id, minRange, maxRange, visibilityMask};
+  }
 };
 
 BeamScene::BeamScene(const World& world) : content_(new Content{*world.access_}) {}
@@ -32,11 +43,18 @@ void BeamScene::update() {
 
 void BeamScene::cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
                      std::uint32_t visibilityMask, std::span<Echo> echoes) {
-  const world::Entities& entities = content_->access.entities;
-  world::Slot model = entities.links()[sim::slotOf(content_->access, sensor.link().id())].model;
-  while (entities.models()[model].parent != world::kNoSlot) model = entities.models()[model].parent;
-  content_->scene.cast({sensor.pose(), entities.models()[model].id, minRange, maxRange, visibilityMask}, directions,
-                       echoes);
+  content_->scene.cast(content_->beamsOf(sensor, minRange, maxRange, visibilityMask), directions, echoes);
+}
+
+void BeamScene::cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
+                     std::uint32_t visibilityMask, std::span<Echo> echoes, std::span<std::optional<LinkId>> targets) {
+  std::vector<world::Slot>& links = content_->links;
+  links.resize(directions.size());
+  content_->scene.cast(content_->beamsOf(sensor, minRange, maxRange, visibilityMask), directions, echoes, links);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    targets[i].reset();
+    if (links[i] != world::kNoSlot) targets[i] = content_->access.entities.links()[links[i]].id;
+  }
 }
 
 }  // namespace pongsim
