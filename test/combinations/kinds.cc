@@ -155,6 +155,7 @@ void addSensors(std::vector<Kind>& kinds) {
   }
   for (const char* type : {"gpu_lidar", "gpu_ray", "lidar", "ray"}) kinds.push_back(sensorKind(type, cameras, beams));
   kinds.push_back(sensorKind("air_pressure", plugin("air-pressure", "AirPressure"), ""));
+  kinds.push_back(sensorKind("air_speed", plugin("air-speed", "AirSpeed"), ""));
   kinds.push_back(sensorKind("altimeter", plugin("altimeter", "Altimeter"), ""));
   kinds.push_back(sensorKind("imu", plugin("imu", "Imu"), ""));
   kinds.push_back(sensorKind("magnetometer", plugin("magnetometer", "Magnetometer"), ""));
