@@ -39,6 +39,14 @@ class BeamWorld : public pongsim::test::VisualWorld {
     scene_.cast(beams, directions, echoes);
   }
 
+  /// @return The link that a beam hits.
+  world::Slot hit(const Beams& beams, const Vector3& direction = Vector3::UnitX()) {
+    Echo echo;
+    world::Slot link = 0;
+    scene_.cast(beams, {&direction, 1}, {&echo, 1}, {&link, 1});
+    return link;
+  }
+
   void move(std::size_t model, const Vector3& position) {
     state().links[model].X_WorldLink.position = position;
     scene_.update(state());
@@ -240,6 +248,20 @@ TEST(BeamScene, SaysThatSomethingIsTooNear) {
   world.start();
   EXPECT_EQ(world.cast({at(4.9), {}, 0.2, 5}).range, -kNowhere);
   EXPECT_NEAR(world.cast({at(4.9), {}, 0.05, 5}).range, 0.1, 1e-12);
+}
+
+TEST(BeamScene, SaysWhichLinkItSees) {
+  BeamWorld world;
+  for (const double x : {3.0, 6.0, 9.0}) world.add(description::Box{{1, 1, 1}}, at(x), x == 6);
+  world.start();
+  EXPECT_EQ(world.hit(from({})), 0U);
+  EXPECT_EQ(world.hit(from(at(4))), 1U);
+  EXPECT_EQ(world.hit(from(at(7))), 2U);
+  EXPECT_EQ(world.hit(from(at(10))), world::kNoSlot);
+  EXPECT_EQ(world.hit(from({}), Vector3::UnitZ()), world::kNoSlot);
+  // too near to be seen
+  EXPECT_EQ(world.hit({at(5.4), {}, 0.2, 5}), world::kNoSlot);
+  EXPECT_EQ(world.hit(from(at(1e300))), world::kNoSlot);
 }
 
 TEST(BeamScene, LooksOutOfTheModelThatBearsTheSensor) {

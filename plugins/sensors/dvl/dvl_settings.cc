@@ -13,8 +13,7 @@ namespace pongsim {
 
 namespace {
 
-using std::numbers::pi;
-
+constexpr double kPi = std::numbers::pi;
 constexpr int kMostBins = 1000;
 
 /// @return The element `gz:NAME` or `ignition:NAME`; null without one.
@@ -25,7 +24,7 @@ const Element* extension(const Element& parent, const std::string& name) {
   return nullptr;
 }
 
-const Element& required(const Element& parent, const char* name) {
+const Element& partOf(const Element& parent, const char* name) {
   const Element* found = parent.child(name);
   if (found == nullptr) refuse(parent, "<" + parent.name + "> has no <" + name + ">");
   return *found;
@@ -50,10 +49,10 @@ DvlBeam readBeam(const Element& element, int defaultId, double unit) {
     beam.id =
         Element{.name = "id", .text = id->value, .attributes = {}, .children = {}, .position = id->position}.as<int>();
   }
-  beam.aperture = positiveOr(element, "aperture", pi / 2 / unit) * unit;
-  if (beam.aperture > pi) refuse(*element.child("aperture"), "<aperture> must be at most half a turn");
-  const double tilt = std::remainder(finiteOr(element, "tilt", 0) * unit, 2 * pi);
-  if (std::abs(tilt) >= pi / 2) refuse(*element.child("tilt"), "<tilt> must be less than a quarter of a turn");
+  beam.aperture = positiveOr(element, "aperture", kPi / 2 / unit) * unit;
+  if (beam.aperture > kPi) refuse(*element.child("aperture"), "<aperture> must be at most half a turn");
+  const double tilt = std::remainder(finiteOr(element, "tilt", 0) * unit, 2 * kPi);
+  if (std::abs(tilt) >= kPi / 2) refuse(*element.child("tilt"), "<tilt> must be less than a quarter of a turn");
   const double rotation = finiteOr(element, "rotation", 0) * unit;
   // down, tilted towards -x, and rotated about the vertical
   const auto [sinTilt, cosTilt] = math::sinCos(tilt);
@@ -64,7 +63,7 @@ DvlBeam readBeam(const Element& element, int defaultId, double unit) {
 
 std::vector<DvlBeam> readBeams(const Element& arrangement) {
   const std::string degrees = arrangement.attributeOr("degrees", "false");
-  const double unit = degrees == "true" || degrees == "1" ? pi / 180 : 1;
+  const double unit = degrees == "true" || degrees == "1" ? kPi / 180 : 1;
   std::vector<DvlBeam> beams;
   for (const Element* element : arrangement.childrenNamed("beam")) {
     beams.push_back(readBeam(*element, beams.empty() ? 0 : beams.back().id + 1, unit));
@@ -90,7 +89,7 @@ DvlSettings::Mode readMode(const Element& element) {
 void readWaterMode(const Element& element, DvlSettings& settings) {
   settings.water = readMode(element);
   if (settings.water.when == DvlSettings::When::kNever) return;
-  const Element& velocity = required(element, "water_velocity");
+  const Element& velocity = partOf(element, "water_velocity");
   settings.waterVelocity = {velocity.get<std::string>("x", ""), velocity.get<std::string>("y", ""),
                             velocity.get<std::string>("z", "")};
   if (std::ranges::all_of(settings.waterVelocity, &std::string::empty)) {
@@ -129,13 +128,13 @@ DvlSettings readDvl(const Element& sensor) {
     refuse(*dvl->child("type"), "<type> is '" + type + "'", "it can be piston or phased_array");
   }
   if (type == "phased_array") settings.type = DvlSettings::Type::kPhasedArray;
-  settings.beams = readBeams(required(*dvl, "arrangement"));
+  settings.beams = readBeams(partOf(*dvl, "arrangement"));
   settings.resolution = positiveOr(*dvl, "resolution", settings.resolution);
   settings.minRange = positiveOr(*dvl, "minimum_range", settings.minRange);
   settings.maxRange = positiveOr(*dvl, "maximum_range", settings.maxRange);
   settings.near = 0.2 * settings.maxRange;
   settings.far = 0.8 * settings.maxRange;
-  const Element& tracking = required(*dvl, "tracking");
+  const Element& tracking = partOf(*dvl, "tracking");
   if (const Element* mode = tracking.child("bottom_mode")) settings.bottom = readMode(*mode);
   if (const Element* mode = tracking.child("water_mass_mode")) readWaterMode(*mode, settings);
   if (const Element* frame = dvl->child("reference_frame")) settings.toReference = rotationIn(*frame).conjugate();
@@ -147,9 +146,9 @@ std::vector<Vector3> raysOf(const DvlBeam& beam, double resolution) {
   std::vector<Vector3> rays{beam.axis};
   for (int ring = 1; ring * resolution < beam.aperture / 2; ++ring) {
     const auto [sine, cosine] = math::sinCos(ring * resolution);
-    const int count = static_cast<int>(std::ceil(2 * pi * sine / resolution));
+    const int count = static_cast<int>(std::ceil(2 * kPi * sine / resolution));
     for (int i = 0; i < count; ++i) {
-      const auto [sinTurn, cosTurn] = math::sinCos(2 * pi * i / count);
+      const auto [sinTurn, cosTurn] = math::sinCos(2 * kPi * i / count);
       rays.push_back(cosine * beam.axis + sine * (cosTurn * across + sinTurn * up));
     }
   }
