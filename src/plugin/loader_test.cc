@@ -124,6 +124,15 @@ TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
       "yet: it is left out");
 }
 
+TEST_F(LoaderTest, KnowsTheSystemsOfLaterReleases) {
+  EXPECT_EQ(loader_.load(plugin("gz-sim-lens-flare-system"), Loader::Paths::kNeedLeave, kOptional, diagnostics_),
+            nullptr);
+  EXPECT_EQ(
+      onlyLine(),
+      "world.sdf:12:5: warning: plugin 'gz-sim-lens-flare-system' is a system of Gazebo that is not supported yet: "
+      "it is left out");
+}
+
 TEST_F(LoaderTest, SumsUpPluginsOfGazeboClassicAndRos) {
   for (const char* filename : {"libgazebo_ros_control.so", "libgazebo_ros_control.so", "libgazebo_imu_plugin.so",
                                "ign_ros_control-system", "libign_ros_control-system.so"}) {
