@@ -18,7 +18,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import urllib.parse
 import zipfile
 
@@ -28,11 +27,10 @@ PONGSIM = BUILD / "bin/pongsim"
 FUEL = BUILD / "libexec/pongsim/pongsim-fuel"
 sys.path.append(str(ROOT / "test/support"))
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE, until  # noqa: E402
 
 DOMAIN = str(take_domain())
 NAMES = ["fuel.gazebosim.org", "fuel.ignitionrobotics.org", "models.example.org", "storage.example.org"]
-# Time limit for conditions that must come true, even on a busy machine [s].
-PATIENCE = 120.0
 PAGE = 2
 
 
@@ -380,8 +378,3 @@ class Place:
         return sorted(str(path.relative_to(self.cache)) for path in self.cache.rglob("*")
                       if path.is_file() or path.is_symlink())
 
-    def wait_for(self, condition, what):
-        end = time.monotonic() + PATIENCE
-        while not condition():
-            assert time.monotonic() < end, what
-            time.sleep(0.05)

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from fuel_server import FUEL, Place, Server, model_files, streamed_zip_of
+from fuel_server import FUEL, Place, Server, model_files, streamed_zip_of, until
 
 BIG = {"meshes/big.bin": os.urandom(400_000)}
 
@@ -90,7 +90,7 @@ class Download(unittest.TestCase):
             self.server.fault(f"m{i}.zip", "stall", 1)
         process = self.place.start(FUEL, "download", "-j", "4", *urls)
         # all four are in progress at the same time: the downloads are parallel
-        self.place.wait_for(lambda: len(self.server.zips()) == 4, "four requests")
+        until(lambda: len(self.server.zips()) == 4, "four requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 0, error)
@@ -163,7 +163,7 @@ class Download(unittest.TestCase):
         process = self.place.start(FUEL, "download", url, **more)
         part = self.place.cache / ".pongsim/fuel.gazebosim.org+o+models+m.zip"
         half = len(self.server.resources["models", "o", "m"]["zips"][1]) // 2
-        self.place.wait_for(lambda: part.exists() and part.stat().st_size == half, "half a zip file")
+        until(lambda: part.exists() and part.stat().st_size == half, "half a zip file")
         process.send_signal(how)
         _, error = process.communicate(timeout=120)
         self.assertEqual([path for path in self.place.files() if not path.startswith(".pongsim/")], [])
@@ -210,7 +210,7 @@ class Download(unittest.TestCase):
         url = self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "stall", 1)
         first = self.place.start(FUEL, "download", url)
-        self.place.wait_for(lambda: self.server.zips(), "a request")
+        until(lambda: self.server.zips(), "a request")
         second = self.place.start(FUEL, "download", url)
         line = second.stderr.readline()
         self.assertIn("waiting for another download of it", line)

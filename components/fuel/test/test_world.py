@@ -4,10 +4,9 @@ import json
 import os
 import shutil
 import signal
-import time
 import unittest
 
-from fuel_server import PATIENCE, PONGSIM, Place, Server, model_files
+from fuel_server import PATIENCE, PONGSIM, Place, Server, model_files, until
 
 NAO = model_files("Nao", body="".join(f"""
     <link name="{part}"><pose>0 0 {height} 0 0 0</pose>
@@ -49,7 +48,7 @@ class World(unittest.TestCase):
         world = self.write(f"<include><uri>{axle}</uri></include>\n<include><uri>{car}/4</uri><pose>0 0 5 0 0 0</pose></include>")
         process = self.place.start(PONGSIM, "run", world, "-z", "0", "--iterations", "10")
         # both downloads are in progress at the same time
-        self.place.wait_for(lambda: len(self.server.zips()) == 2, "two requests")
+        until(lambda: len(self.server.zips()) == 2, "two requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, 0, error)
@@ -144,7 +143,7 @@ class World(unittest.TestCase):
         url = self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "stall", 1)
         process = self.place.start(PONGSIM, "run", self.write(f"<include><uri>{url}</uri></include>"), prefix=["setsid"])
-        self.place.wait_for(lambda: self.server.zips(), "a request")
+        until(lambda: self.server.zips(), "a request")
         os.killpg(process.pid, signal.SIGINT)
         _, error = process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, 1)
@@ -176,9 +175,7 @@ class World(unittest.TestCase):
             sent = self.place.run(PONGSIM, "topic", "-t", topic, "-m", "ignition.msgs.Double", "-p", f"data: {angle}",
                                   "--timeout", "60")
             self.assertEqual(sent.returncode, 0, sent.stderr)
-            end = time.monotonic() + PATIENCE
-            while abs(position(model, joint) - angle) > 0.05:
-                self.assertLess(time.monotonic(), end, f"{joint} of {model} goes nowhere")
+            until(lambda m=model, j=joint, a=angle: abs(position(m, j) - a) <= 0.05, f"{joint} of {model} at {angle}")
         self.assertLess(abs(position("nao_2", "HeadYaw")), 0.05)
         self.assertLess(abs(position("nao_1", "LShoulderPitch")), 0.05)
         process.send_signal(signal.SIGINT)

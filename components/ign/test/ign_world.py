@@ -7,19 +7,18 @@ import re
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "test/support"))
 
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE as DEADLINE, until  # noqa: E402
 
 PONGSIM = os.environ["PONGSIM"]
 PEER = os.environ["PONGSIM_IGN_PEER"]
 DRIVER = os.environ["PONGSIM_IGN_DRIVER"]
 TUTORIAL = ROOT.parent / "shared/fortress/tutorials/moving_robot.sdf"
-DEADLINE = 90
 
 DOMAIN = take_domain()
 ENVIRONMENT = {
@@ -31,16 +30,6 @@ ENVIRONMENT = {
     # the address sanitizer's quarantine, by default 256 MB of freed memory, would look like growth of the simulation
     "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1",
 }
-
-
-def until(condition, what):
-    """Waits until the condition returns a true value, and returns it."""
-    end = time.monotonic() + DEADLINE
-    while time.monotonic() < end:
-        if value := condition():
-            return value
-        time.sleep(0.02)
-    raise AssertionError(f"waited in vain for {what}")
 
 
 def ended(*words, environment=None):
@@ -140,7 +129,7 @@ class Running:
             match = re.search(pattern, self.output(), re.MULTILINE)
             assert match or self.process.poll() is None, f"ended with {self.process.returncode}: {self.output()}"
             return match
-        return until(found, f"'{pattern}' of {self.process.args}; it said: {self.text[-2000:]}")
+        return until(found, lambda: f"'{pattern}' of {self.process.args}; it said: {self.text[-2000:]}")
 
     def finish(self):
         """Interrupts the program, and returns all of its output."""

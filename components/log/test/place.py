@@ -7,25 +7,16 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 FORTRESS = pathlib.Path(os.environ.get("PONGSIM_FORTRESS_WORLDS", ROOT / "../shared/fortress"))
-# For conditions that must come true, even on a busy machine.
-PATIENCE = 90.0
 
 sys.path.append(str(ROOT / "test/support"))
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE, until  # noqa: E402
 
 os.environ["PONGSIM_DOMAIN"] = str(take_domain())
-
-
-def wait_until(condition, what):
-    end = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < end, f"waited in vain for {what}"
-        time.sleep(0.02)
 
 
 class Place:
@@ -62,7 +53,7 @@ class Place:
 
     def record(self, *words):
         recorder = self.start("log", "record", *words)
-        wait_until(lambda: "recording to" in self.said(recorder), "a recorder")
+        until(lambda: "recording to" in self.said(recorder), "a recorder")
         return recorder
 
     def counts(self, name):
@@ -75,9 +66,9 @@ class Place:
             counts = self.counts(name)
             return all(counts.get(topic, 0) >= count for topic, count in least.items())
 
-        wait_until(has_enough, f"{least} in {name}")
+        until(has_enough, f"{least} in {name}")
         before = sum(self.counts(name).values())
-        wait_until(lambda: sum(self.counts(name).values()) > before, f"more in {name}")
+        until(lambda: sum(self.counts(name).values()) > before, f"more in {name}")
 
     def cut(self, name, to):
         """The rest of a recording of several chunks whose last one is incomplete."""

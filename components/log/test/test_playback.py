@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from place import PATIENCE, PONGSIM, WORLD, Place, wait_until
+from place import PATIENCE, PONGSIM, WORLD, Place, until
 
 CONTROL = ("service", "-s", "/world/drive/playback/control", "--timeout", "60000", "--req")
 # Reads with Debian's own log library (transport_log_main.cc), if it is installed.
@@ -36,36 +36,36 @@ class Playback(unittest.TestCase):
 
     def test_it_pauses_at_the_end_and_can_be_played_again(self):
         played = self.place.start("run", "--playback", "rec")
-        wait_until(lambda: self.state() == (0.2, True), "the end")
+        until(lambda: self.state() == (0.2, True), "the end")
         for _ in range(2):
             self.assertIsNone(played.poll())
             self.run_pongsim(*CONTROL, "rewind: true, pause: true")
             self.assertEqual(self.state(), (0, True))
             self.run_pongsim(*CONTROL, "pause: false")
-            wait_until(lambda: self.state() == (0.2, True), "the end")
+            until(lambda: self.state() == (0.2, True), "the end")
         self.assertEqual(self.place.end(played), 0, self.place.said(played))
 
     def test_more_steps_than_it_has_are_waited_for_with_a_word(self):
         played = self.place.start("run", "--playback", "rec", "-z", "0", "--iterations", "300")
-        wait_until(lambda: "end of the recording at 0.2" in self.place.said(played), "the end")
+        until(lambda: "end of the recording at 0.2" in self.place.said(played), "the end")
         self.run_pongsim(*CONTROL, "rewind: true, pause: false")
         self.assertEqual(played.wait(PATIENCE), 0, self.place.said(played))
 
     def test_steps_go_on_after_a_rewind_among_them(self):
         # so slow that the second request arrives between steps on a busy machine, too
         self.place.start("run", "--playback", "rec", "--paused", "-z", "20")
-        wait_until(lambda: self.state() == (0, True), "the recording")
+        until(lambda: self.state() == (0, True), "the recording")
         self.run_pongsim(*CONTROL, "pause: true, multi_step: 150")
         self.run_pongsim(*CONTROL, "rewind: true")
-        wait_until(lambda: self.state()[1], "the end of the steps")
+        until(lambda: self.state()[1], "the end of the steps")
         # those made before the request arrived, and the start, were some of them
         self.assertLess(self.state()[0], 0.15)
 
     def test_who_listens_hears_what_was_recorded(self):
         self.place.start("run", "--playback", "rec", "--paused")
-        wait_until(lambda: self.state() == (0, True), "the recording")
+        until(lambda: self.state() == (0, True), "the recording")
         listener = self.listen()
-        wait_until(lambda: re.search(r"/model/box/pose .*1 subscriber", self.run_pongsim("topic", "-l", "-v")), "the listener")
+        until(lambda: re.search(r"/model/box/pose .*1 subscriber", self.run_pongsim("topic", "-l", "-v")), "the listener")
         self.run_pongsim(*CONTROL, "pause: false")
         self.assertEqual(self.times_of(listener), [1, 10, 20])
 
@@ -77,10 +77,10 @@ class Playback(unittest.TestCase):
 
     def test_it_is_as_fast_as_asked(self):
         self.place.start("run", "--playback", "rec", "--paused", "-z", "50")
-        wait_until(lambda: self.state() == (0, True), "the recording")
+        until(lambda: self.state() == (0, True), "the recording")
         start = time.monotonic()
         self.run_pongsim(*CONTROL, "pause: false")
-        wait_until(lambda: self.state() == (0.2, True), "the end")
+        until(lambda: self.state() == (0.2, True), "the end")
         # 200 steps, which took 0.2 s when they were recorded
         self.assertGreater(time.monotonic() - start, 3.5)
 

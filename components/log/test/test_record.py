@@ -5,7 +5,7 @@ import signal
 import unittest
 
 from mcap.reader import make_reader
-from place import PATIENCE, WORLD, Place, wait_until
+from place import PATIENCE, WORLD, Place, until
 
 
 def size_of(path):
@@ -27,7 +27,7 @@ class Record(unittest.TestCase):
         self.place.start("run", "world.sdf")
         for each in (signal.SIGINT, signal.SIGTERM):
             recorder = self.place.record("-o", "a.mcap", "--force", "/clock")
-            wait_until(lambda: self.info()["messages"] > 100, "messages")
+            until(lambda: self.info()["messages"] > 100, "messages")
             self.assertEqual(self.place.end(recorder, each), 0, self.place.said(recorder))
             info = self.info()
             self.assertIsNone(info["torn"])
@@ -36,7 +36,7 @@ class Record(unittest.TestCase):
     def test_what_was_recorded_outlives_it(self):
         self.place.start("run", "world.sdf")
         recorder = self.place.record("-o", "a.mcap")
-        wait_until(lambda: self.info()["messages"] > 200, "messages")
+        until(lambda: self.info()["messages"] > 200, "messages")
         before = self.info()["messages"]
         self.place.end(recorder, signal.SIGKILL)
         info = self.info()
@@ -50,7 +50,7 @@ class Record(unittest.TestCase):
         self.place.start("run", "world.sdf")
         recorder = self.place.record("--file", "a.mcap", "--pattern", "/model/.*", "/stats")
         wanted = {"/stats", "/model/box/pose"}
-        wait_until(lambda: wanted <= {topic["name"] for topic in self.info()["topics"]}, "both topics")
+        until(lambda: wanted <= {topic["name"] for topic in self.info()["topics"]}, "both topics")
         self.assertEqual(self.place.end(recorder), 0)
         names = {topic["name"] for topic in self.info()["topics"]}
         self.assertNotIn("/clock", names)

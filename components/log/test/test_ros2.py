@@ -12,7 +12,7 @@ import unittest
 
 from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
-from place import FORTRESS, PATIENCE, PONGSIM, ROOT, Place, wait_until
+from place import FORTRESS, PATIENCE, PONGSIM, ROOT, Place, until
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import QosDurability, QosReliability
 
@@ -69,7 +69,7 @@ class Robot(unittest.TestCase):
         of_all = dict.fromkeys(TYPES, 4)
         cls.place.wait_for_messages("plain.mcap", of_all)
         cls.place.wait_for_messages("bag.mcap", {**of_all, ODOMETRY: 10, "/tf": 10})
-        wait_until(lambda: "'/stats' is left out" in cls.place.said(bag), "a warning")
+        until(lambda: "'/stats' is left out" in cls.place.said(bag), "a warning")
         for recorder in (bag, also):
             assert cls.place.end(recorder) == 0, cls.place.said(recorder)
         cls.said = cls.place.said(bag)
@@ -253,7 +253,7 @@ class Alone(unittest.TestCase):
     def test_what_was_recorded_outlives_the_recorder(self):
         self.place.start("run", ROOT / "worlds/pong_world.sdf")
         recorder = self.place.record("-o", "a.mcap", "--ros2")
-        wait_until(lambda: json.loads(self.place.log("info", "a.mcap", "--json"))["messages"] > 200, "messages")
+        until(lambda: json.loads(self.place.log("info", "a.mcap", "--json"))["messages"] > 200, "messages")
         self.place.end(recorder, signal.SIGKILL)
         self.place.log("convert", "a.mcap", "-o", "whole.mcap")
         self.assertGreater(len(of_ros(self.place.path / "whole.mcap")), 200)
@@ -264,7 +264,7 @@ class Alone(unittest.TestCase):
         said = self.place.log("record", "-o", "full.mcap", "--force", "--ros2", code=1)
         self.assertIn("'full.mcap' can't be written: No space left on device", said)
         recorder = self.place.record("-o", "none.mcap", "--ros2", "/stats")
-        wait_until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
+        until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
         self.assertEqual(self.place.end(recorder), 1)
         self.assertIn("no message of the recorded topics can be written as a ROS message", self.place.said(recorder))
         # the same command is not refused

@@ -4,7 +4,8 @@ import copy
 import pathlib
 import subprocess
 import sys
-import time
+
+from waiting import until
 
 import pongsim
 from pongsim import sweep
@@ -77,11 +78,11 @@ def children(pid):
         return [int(each) for each in file.read().split()]
 
 
-def wait_for(condition, process=None, patience=120):
+def wait_for(condition, process=None):
     """Waits until the condition holds; fails if the process ends before."""
-    end = time.monotonic() + patience
-    while not condition():
-        assert time.monotonic() < end, "it does not come"
-        assert process is None or process.poll() is None, process.communicate()
-        time.sleep(0.01)
+    def holds():
+        value = condition()
+        assert value or process is None or process.poll() is None, process.communicate()
+        return value
+    until(holds)
 

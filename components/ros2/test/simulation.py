@@ -7,21 +7,19 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 
 sys.path.append(str(ROOT / "test/support"))
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE, until  # noqa: E402, F401
 
 # inherited from the test that started this process, or a new one
 DOMAIN = int(os.environ.get("PONGSIM_TEST_DOMAIN") or take_domain())
 # for all processes started by the test
 for name in ("PONGSIM_TEST_DOMAIN", "PONGSIM_DOMAIN", "ROS_DOMAIN_ID"):
     os.environ[name] = str(DOMAIN)
-# For conditions that must come true, even on a busy machine.
-PATIENCE = 120.0
 
 
 def fortress(name):
@@ -32,17 +30,6 @@ def fortress(name):
     if not (folder / name).exists():
         pytest.skip(f"no worlds of Fortress at {folder}")
     return folder / name
-
-
-def until(condition, what="the condition", patience=PATIENCE):
-    """Waits until `condition()` is true, and returns its result."""
-    end = time.monotonic() + patience
-    while True:
-        result = condition()
-        if result:
-            return result
-        assert time.monotonic() < end, f"{what} did not come true in {patience} s"
-        time.sleep(0.005)
 
 
 @contextlib.contextmanager

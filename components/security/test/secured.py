@@ -5,17 +5,16 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 FAST_PEER = os.environ.get("PONGSIM_FAST_PEER", str(ROOT / "build/release/test/ros2_fast_peer"))
 WORLD = ROOT / "worlds/pong_world.sdf"
-# Time limit for conditions that must come true, even on a busy machine [s].
-PATIENCE = 90.0
 
 sys.path.append(str(ROOT / "test/support"))
+import waiting  # noqa: E402
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE  # noqa: E402
 
 DOMAIN = str(take_domain())
 
@@ -31,11 +30,8 @@ def _told():
 
 
 def until(condition, what):
-    end = time.monotonic() + PATIENCE
-    while not (result := condition()):
-        assert time.monotonic() < end, f"waited in vain for {what}\n{_told()}"
-        time.sleep(0.02)
-    return result
+    """Like `waiting.until`; a failure also has the output of the running programs."""
+    return waiting.until(condition, lambda: f"{what}\n{_told()}")
 
 
 class Place:

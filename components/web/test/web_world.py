@@ -11,15 +11,14 @@ import ssl
 import struct
 import subprocess
 import sys
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "test/support"))
 
 from test_domain import take_domain  # noqa: E402
+from waiting import PATIENCE, until  # noqa: E402
 
 PONGSIM = os.environ["PONGSIM"]
-DEADLINE = 90
 ENVIRONMENT = {
     **{name: value for name, value in os.environ.items() if name not in ("PONGSIM_NETWORK", "PONGSIM_WEB_TOKEN")},
     "PONGSIM_DOMAIN": str(take_domain()),
@@ -28,16 +27,6 @@ ENVIRONMENT = {
 }
 PHYSICS = "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>"
 EMPTY_WORLD = "<sdf version='1.9'><world name='w'>" + PHYSICS + "{}</world></sdf>"
-
-
-def until(condition, what):
-    """Waits until the condition holds."""
-    end = time.monotonic() + DEADLINE
-    while time.monotonic() < end:
-        if condition():
-            return
-        time.sleep(0.02)
-    raise AssertionError(f"waited in vain for {what}")
 
 
 class Simulation:
@@ -55,14 +44,12 @@ class Simulation:
         return self.text
 
     def wait_for(self, pattern):
-        end = time.monotonic() + DEADLINE
-        while time.monotonic() < end:
-            if match := re.search(pattern, self.output(), re.MULTILINE):
-                return match
-            if self.process.poll() is not None and not re.search(pattern, self.output(), re.MULTILINE):
-                raise AssertionError(f"ended with {self.process.returncode}: {self.output()}")
-            time.sleep(0.02)
-        raise AssertionError(f"waited in vain for '{pattern}'; it said: {self.output()}")
+        def found():
+            has_ended = self.process.poll() is not None
+            match = re.search(pattern, self.output(), re.MULTILINE)
+            assert match or not has_ended, f"ended with {self.process.returncode}: {self.text}"
+            return match
+        return until(found, lambda: f"'{pattern}'; it said: {self.text}")
 
     def address(self):
         """Host, port and token of the page."""
@@ -73,7 +60,7 @@ class Simulation:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
             try:
-                self.process.wait(DEADLINE)
+                self.process.wait(PATIENCE)
             except subprocess.TimeoutExpired:
                 self.process.kill()
                 self.process.wait()
@@ -92,7 +79,7 @@ def running(*words, environment=None):
 def ended(*words, environment=None):
     """A finished pongsim command."""
     return subprocess.run([PONGSIM, *map(str, words)], env={**ENVIRONMENT, **(environment or {})}, capture_output=True,
-                          text=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
+                          text=True, timeout=PATIENCE, stdin=subprocess.DEVNULL)
 
 
 class Connection:
@@ -100,7 +87,7 @@ class Connection:
 
     def __init__(self, host, port, certificate=None):
         self.host, self.port = host, port
-        self.socket = socket.create_connection((host, port), timeout=DEADLINE)
+        self.socket = socket.create_connection((host, port), timeout=PATIENCE)
         if certificate:
             self.socket = ssl.create_default_context(cafile=certificate).wrap_socket(self.socket, server_hostname="localhost")
         self.stream = self.socket.makefile("rb")
