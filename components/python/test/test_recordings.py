@@ -89,3 +89,10 @@ def test_a_run_of_a_sweep_has_failed_if_its_recording_is_incomplete(tmp_path):
     [row] = make(tmp_path, parameters=None, fresh=True, options={"jobs": 1}).rows
     assert (row.status, row.measures) == ("failed", {})
     assert row.reason.startswith("log: the recording is incomplete")
+
+
+def test_an_incomplete_recording_of_a_reported_run_is_a_warning(tmp_path, capfd):
+    write(tmp_path, "w.sdf", unpackable(WORLD, tmp_path))
+    rows = make(tmp_path, options={"jobs": 1}).rows
+    assert [row.status for row in rows] == ["done", "done"]
+    assert "WorldWarning: log: the recording is incomplete" in capfd.readouterr().err
