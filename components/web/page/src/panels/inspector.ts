@@ -5,6 +5,7 @@ import { Components } from '../connection/components.ts';
 import { kJointNames, sensorSettings, sensorType, type Entity } from '../connection/entities.ts';
 import { rollPitchYawOf } from '../connection/poses.ts';
 import type { Message, MessageTypes } from '../connection/types.ts';
+import { PoseTable } from './pose_table.ts';
 
 type Rows = [name: string, value: string][];
 
@@ -82,7 +83,7 @@ function sensorRows(sensor: Entity, types: MessageTypes): Rows {
 export function openInspector(context: Context): Panel {
   const { world, selection, connection } = context;
   const ends = new Ends();
-  const pose = h('dd', { id: 'inspector-pose' }, '–');
+  const pose = new PoseTable();
   const table = h('dl', {});
   const nothing = h('p', { class: 'hint' }, 'Select something in the view or the tree');
   const motion = h('dd', { id: 'inspector-joint' }, '–');
@@ -97,7 +98,7 @@ export function openInspector(context: Context): Panel {
     nothing.hidden = true;
     isJoint = entity.kind === 'joint';
     const rows = rowsOf(entity, connection.types).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]);
-    table.replaceChildren(...rows, ...(isJoint ? [h('dt', {}, 'Position, velocity'), motion] : [h('dt', {}, 'Pose'), pose]));
+    table.replaceChildren(...rows, ...(isJoint ? [h('dt', {}, 'Position, velocity'), motion] : [h('dt', {}, 'Pose'), h('dd', {}, pose.element)]));
     showPose();
   };
   const showPose = (): void => {
@@ -106,9 +107,9 @@ export function openInspector(context: Context): Panel {
     const live = world.poses.get(entity.id);
     if (live) {
       const [x, y, z, qx, qy, qz, qw] = live as unknown as [number, number, number, number, number, number, number];
-      pose.textContent = `${list([x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])])} in the world`;
+      pose.show([x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])], 'in the world');
     } else {
-      pose.textContent = list(entity.components.numbers('Pose') ?? []) || '–';
+      pose.show(entity.components.numbers('Pose') ?? [], `in ${entity.parent?.kind === 'world' ? 'the world' : entity.parent?.name ?? 'its parent'}`);
     }
   };
   // joint positions are not in the pose frames, so the state is subscribed to while a joint is selected

@@ -153,7 +153,7 @@ class Chart {
     this.curves = curves;
     if (curves.length === 0) return;
     const ink = getComputedStyle(this.element).getPropertyValue('--text');
-    const grid = { stroke: getComputedStyle(this.element).getPropertyValue('--line'), width: 0.5 };
+    const grid = { stroke: getComputedStyle(this.element).getPropertyValue('--grid'), width: 1 };
     const axis: uPlot.Axis = { stroke: ink, grid, ticks: grid, values: (_plot, labels) => tickTexts(labels) };
     const series = curves.map(({ name }, i) => ({ label: name, stroke: kColors[i % kColors.length]!, width: 1.5, spanGaps: true }));
     this.plot = drawnByProcessor(() => new uPlot({

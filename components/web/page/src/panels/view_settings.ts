@@ -52,6 +52,7 @@ export function openViewSettings(context: Context): Panel {
     h('div', { class: 'row wrap', role: 'group', 'aria-label': 'Look from' }, ...from),
     follow, trail,
     box('grid', 'Grid', true, (on) => view.setGrid(on)), box('shadows', 'Shadows', true, (on) => view.setShadows(on)),
+    box('as-cameras', 'Light and background as cameras see them', false, (on) => view.setAsCameras(on)),
     h('div', { class: 'row' }, isOnlyChosen, h('label', { for: isOnlyChosen.id }, 'Show those below only for the selection')),
     ...overlays);
   return { element, close: ends.end };

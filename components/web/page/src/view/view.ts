@@ -13,6 +13,7 @@ import { Marked } from './overlays/marked.ts';
 import { Outline } from './overlays/outline.ts';
 import { Scan } from './overlays/scan.ts';
 import { Sensed } from './overlays/sensed.ts';
+import { Silhouette } from './overlays/silhouette.ts';
 import { Trail } from './overlays/trail.ts';
 import type { Frame } from './scene/places.ts';
 import { type Overlay, Shown } from './scene/shown.ts';
@@ -50,6 +51,7 @@ export class View {
   private readonly stage: Stage;
   private readonly marked: Marked;
   private readonly outline = new Outline();
+  private readonly silhouette = new Silhouette();
   private readonly scans: Sensed;
   private readonly clouds: Sensed;
   private readonly contacts = new Map<string, Contacts>();
@@ -60,6 +62,8 @@ export class View {
   private readonly pointer: Pointer;
   private readonly end = new AbortController();
   private readonly sizes: ResizeObserver;
+  private theme: Theme = 'light';
+  private isAsCameras = false;
   private grid = gridOf('light');
   private wantsGrid: boolean | null = null;
   private wantsShadows = true;
@@ -209,7 +213,8 @@ export class View {
       if (position) trail.add(position);
     }
     if (moved.length > 0) this.goAlong();
-    this.outline.update(this.stage, this.selected);
+    const hasSilhouette = this.silhouette.update(this.stage, this.selected);
+    this.outline.update(this.stage, hasSilhouette ? null : this.selected);
     this.handles.put(this.movable === null ? null : this.stage.places.shown(this.movable));
     if (moved.length > 0) {
       this.scans.update();
@@ -217,6 +222,7 @@ export class View {
     }
     if (moved.length > 0 || this.needsShadows) this.renewShadows();
     this.renderer.render(this.stage.root, this.orbitCamera.camera);
+    this.silhouette.render(this.renderer, this.orbitCamera.camera);
   }
 
   private renewShadows(): void {
@@ -334,7 +340,14 @@ export class View {
     this.grid.geometry.dispose();
     this.grid = grid;
     this.stage.root.add(grid);
-    this.invalidate();
+    this.theme = theme;
+    this.stage.setLook(this.theme, this.isAsCameras);
+  }
+
+  /// Whether light and background are as the simulated cameras see them.
+  setAsCameras(on: boolean): void {
+    this.isAsCameras = on;
+    this.stage.setLook(this.theme, this.isAsCameras);
   }
 
   /// Shows an ignition.msgs.LaserScan under a key, such as its topic; null removes it. It is in the frame of the entity
@@ -453,6 +466,7 @@ export class View {
     this.orbitCamera.controls.dispose();
     this.drag.dispose();
     this.handles.dispose();
+    this.silhouette.dispose();
     this.scans.clear();
     this.clouds.clear();
     for (const key of [...this.contacts.keys()]) this.setContacts(key, null);

@@ -94,8 +94,8 @@ export async function choose(tab, name) {
 
 /// The position [m] and angles [rad] of the selected entity in the inspector.
 export async function shownPose(tab) {
-  const text = await tab.locator('#inspector-pose').textContent();
-  return text.replace('in the world', '').trim().split(/\s+/).map(Number);
+  const text = await tab.locator('#inspector-pose').getAttribute('title');
+  return text.split(' ').map((number) => Number(Number(number).toFixed(9)));
 }
 
 /// Waits until `holds` is true for the result of `look`.

@@ -30,6 +30,11 @@ test('a click in the view chooses what is there', async () => {
   }, (selected) => selected === 'true', 'the ball is picked');
 });
 
+test('its pose is a table whose numbers keep their places', async () => {
+  const numbers = await page.tab.locator('#inspector-pose .number').allTextContents();
+  assert.deepEqual(numbers, ['2.000', '0.000', '0.500', '0.000', '0.000', '0.000']);
+});
+
 test('its handle along y drags it to the left', async () => {
   const { tab } = page;
   await until(() => shownPose(tab), ([, y]) => y === 0, 'where it was');

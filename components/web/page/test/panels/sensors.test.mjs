@@ -101,6 +101,7 @@ test('messages of any topic are echoed', async () => {
   const echo = await openPanel(page.tab, 'Topic echo');
   await echo.getByLabel('Topic', { exact: true }).selectOption('/clock');
   await until(() => echo.locator('pre').textContent(), (text) => /"sec"|"nsec"/.test(text), 'a message');
+  await echo.getByText(/^\d+(?:\.\d+)? per second$/).waitFor();
 });
 
 test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));

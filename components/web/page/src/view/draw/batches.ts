@@ -133,6 +133,11 @@ export class Batches {
     return this.seats.keys();
   }
 
+  /// The items of a place.
+  itemsOf(place: number): Item[] {
+    return (this.seats.get(place) ?? []).map(({ item }) => item);
+  }
+
   /// The intersections of a ray, nearest first.
   meet(ray: Raycaster): { item: Item; hit: Intersection }[] {
     return ray.intersectObjects(this.group.children, false).flatMap((hit) => {

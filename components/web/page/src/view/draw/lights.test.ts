@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Box3, DirectionalLight, PointLight, SpotLight, Vector3 } from 'three';
+import { type AmbientLight, Box3, DirectionalLight, type Group, PointLight, SpotLight, Vector3 } from 'three';
 
 import { fromRollPitchYaw, noPlacement } from '../maths/placement.ts';
 import { Lights, colorOfLight, shadowRegion } from './lights.ts';
@@ -70,5 +70,16 @@ test('in a wide scene the region with shadows is around the target of the camera
 test('setting lights removes those set before', () => {
   const sceneLights = lightsFrom({ type: 2 }, { type: 1 });
   sceneLights.set(new Map(), noPlacement);
-  assert.equal(sceneLights.group.children.length, 1);
+  // the ambient light, and the group of the fill light
+  assert.equal(sceneLights.group.children.length, 2);
+});
+
+test('as the cameras see it, there is the ambient light of the world and nothing else', () => {
+  const sceneLights = lightsFrom({ type: 2, castShadows: true });
+  sceneLights.setAmbient({ r: 1, g: 1, b: 1, a: 1 });
+  const [ambient, fill] = sceneLights.group.children as [AmbientLight, Group];
+  const [sun] = threeLightsOf(sceneLights) as [DirectionalLight];
+  assert.ok(fill.visible && ambient.color.r < 0.7 && sun.shadow.radius > 1);
+  sceneLights.setAsCameras(true);
+  assert.ok(!fill.visible && ambient.color.r === 1 && sun.shadow.radius === 1);
 });

@@ -14,11 +14,14 @@ import {
 import type { Placement } from '../maths/placement.ts';
 import type { ColorMessage, LightMessage } from '../messages.ts';
 import { lightDirection } from '../scene/content.ts';
+import { FillLight } from './fill_light.ts';
 import { attenuations, mostLights } from './materials.ts';
 import { rgbOf } from './paint.ts';
 
 const mostShadows = 4;
 const shadowEdge = 2048;
+// blur of shadows' edges [texels]
+const softShadow = 2.5;
 // radius of the region with shadows, around the target of the viewpoint, in larger scenes [m]
 const mostShadowRadius = 25;
 
@@ -50,15 +53,36 @@ export class Lights {
   readonly group = new Group();
   private readonly ambient = new AmbientLight(new Color(0.4, 0.4, 0.4));
   private readonly lights = new Map<number, SceneLight>();
+  private readonly fill = new FillLight();
+  private level = this.ambient.color.clone();
   private hasShadows = true;
+  private isAsCameras = false;
 
   constructor() {
-    this.group.add(this.ambient);
+    this.group.add(this.ambient, this.fill.group);
+  }
+
+  /// Whether everything is lit as the simulated cameras see it; else with a fill light and softer shadows.
+  setAsCameras(on: boolean): void {
+    this.isAsCameras = on;
+    this.renewAmbient();
+  }
+
+  private renewAmbient(): void {
+    const lights = [...this.lights.values()];
+    if (this.isAsCameras) {
+      this.fill.switchOff();
+      this.ambient.color.copy(this.level);
+    } else {
+      this.ambient.color.copy(this.fill.set(this.level, lights.find(({ light }) => light instanceof DirectionalLight)?.direction ?? null));
+    }
+    for (const { light } of lights) if (light.shadow) light.shadow.radius = this.isAsCameras ? 1 : softShadow;
   }
 
   /// Sets the ambient light. As in Fortress, the renderer divides it by pi, because it spreads over the hemisphere.
   setAmbient(color: ColorMessage | undefined): void {
-    this.ambient.color = color === undefined ? new Color(0.4, 0.4, 0.4) : new Color(...rgbOf(color));
+    this.level = color === undefined ? new Color(0.4, 0.4, 0.4) : new Color(...rgbOf(color));
+    this.renewAmbient();
   }
 
   /// Enables or disables all shadows.
@@ -95,6 +119,7 @@ export class Lights {
       if ('target' in entry.light) this.group.add(entry.light.target);
       this.move(id, placeOf(id));
     }
+    this.renewAmbient();
   }
 
   move(id: number, X_WorldLight: Placement): void {

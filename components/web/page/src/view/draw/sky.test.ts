@@ -15,7 +15,7 @@ test('a sky that does not know its day is bright', () => {
 });
 
 test('the dome is drawn before everything and hides nothing', () => {
-  const dome = skyDome({});
+  const dome = skyDome(skyColors({}));
   assert.equal(dome.renderOrder, -1);
   assert.equal((dome.material as { depthWrite: boolean }).depthWrite, false);
 });

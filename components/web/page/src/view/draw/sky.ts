@@ -37,8 +37,8 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-export function skyDome(sky: SkyMessage): Mesh {
-  const { zenith, horizon } = skyColors(sky);
+/// A dome around the viewpoint.
+export function skyDome({ zenith, horizon }: SkyColors): Mesh {
   const uniforms = { zenith: { value: zenith }, horizon: { value: horizon } };
   const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms, side: BackSide, depthWrite: false });
   const dome = new Mesh(new SphereGeometry(1, 32, 32), material);

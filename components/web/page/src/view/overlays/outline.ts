@@ -2,11 +2,11 @@ import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments, Vector3 } 
 
 import type { Stage } from '../scene/stage.ts';
 
-/// The edges of the bounding box of the selected entity.
+/// The edges of the bounding box of a selected entity that has nothing visible.
 export class Outline {
   readonly object = new LineSegments(
     new EdgesGeometry(new BoxGeometry()),
-    new LineBasicMaterial({ color: 0xffffff }),
+    new LineBasicMaterial({ color: 0xff9a1f }),
   );
 
   constructor() {

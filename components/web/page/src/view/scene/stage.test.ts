@@ -68,7 +68,10 @@ test('the background is the colour that the screen shows, and there is a sky whe
   const before = stage.root.children.length;
   stage.setScene({ sky: {} });
   assert.equal(stage.root.children.length, before + 1);
-  stage.setScene({});
+  // without a background of its own it has that of the theme, which cameras do not see
+  stage.setScene({ background: { r: 0.7, g: 0.7, b: 0.7 } });
+  assert.equal(stage.root.children.length, before + 1);
+  stage.setLook('dark', true);
   assert.equal(stage.root.children.length, before);
 });
 

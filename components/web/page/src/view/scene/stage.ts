@@ -4,6 +4,7 @@ import { groundGeometry, grayPictureOf } from '../assets/heightmap.ts';
 import { Meshes } from '../assets/meshes.ts';
 import { type MeshPart, mirrored } from '../assets/mesh_parts.ts';
 import { Batches, type Item } from '../draw/batches.ts';
+import { backdropOf, isUsual } from '../draw/backdrop.ts';
 import { Lights, shadowRegion } from '../draw/lights.ts';
 import { Materials, type Style, mirroredSky, withAttenuation } from '../draw/materials.ts';
 import { type Paint, greyPaint, paintOf, rgbOf } from '../draw/paint.ts';
@@ -12,6 +13,8 @@ import { skyColors, skyDome } from '../draw/sky.ts';
 import { type FetchAsset, Textures, words } from '../draw/textures.ts';
 import { matrixOf, noPlacement, times, vectorOf } from '../maths/placement.ts';
 import { type GeometryMessage, GeometryType, type SceneMessage } from '../messages.ts';
+import type { Theme } from '../overlays/grid.ts';
+import type { Surface } from '../overlays/silhouette.ts';
 import { type Content, type Shape, type Visual, contentOf, isWithin } from './content.ts';
 import { Places } from './places.ts';
 
@@ -38,6 +41,9 @@ export class Stage {
   private readonly geometries = new Map<string, Mesh['geometry']>();
   private readonly reported = new Set<string>();
   private sky: Mesh | null = null;
+  private surroundings: SceneMessage = {};
+  private theme: Theme = 'light';
+  private isAsCameras = false;
   private generation = 0;
   private readonly matrix = new Matrix4();
 
@@ -69,19 +75,32 @@ export class Stage {
     this.places.set(this.content.places);
     this.lights.setAmbient(scene.ambient);
     this.lights.set(this.content.lights, (id) => this.places.shown(id) ?? noPlacement());
-    this.setSurroundings(scene);
+    this.surroundings = scene;
+    this.setSurroundings();
     this.restyle();
   }
 
-  private setSurroundings(scene: SceneMessage): void {
+  /// Sets the background of worlds that have none of their own, and whether everything is as the simulated cameras see it.
+  setLook(theme: Theme, isAsCameras: boolean): void {
+    this.theme = theme;
+    this.isAsCameras = isAsCameras;
+    this.lights.setAsCameras(isAsCameras);
+    this.setSurroundings();
+    this.options.changed();
+  }
+
+  private setSurroundings(): void {
+    const { background: wanted, sky } = this.surroundings;
     // without a background, the grey of Fortress
-    const [red, green, blue] = scene.background === undefined ? [0.7, 0.7, 0.7] : rgbOf(scene.background);
+    const rgb = wanted === undefined ? [0.7, 0.7, 0.7] : rgbOf(wanted);
+    const [red = 0, green = 0, blue = 0] = rgb;
     const background = new Color().setRGB(red, green, blue, SRGBColorSpace);
     this.root.background = background;
     if (this.sky) this.root.remove(this.sky);
     this.sky?.geometry.dispose();
-    this.sky = scene.sky === undefined ? null : skyDome(scene.sky);
-    mirroredSky.value.copy(scene.sky === undefined ? background : skyColors(scene.sky).horizon);
+    const colors = sky ? skyColors(sky) : !this.isAsCameras && isUsual(rgb) ? backdropOf(this.theme) : null;
+    this.sky = colors && skyDome(colors);
+    mirroredSky.value.copy(sky === undefined ? background : skyColors(sky).horizon);
     if (this.sky) this.root.add(this.sky);
   }
 
@@ -217,6 +236,16 @@ export class Stage {
       if (matrix) casters.union(box.copy(inPlace).applyMatrix4(matrix));
     }
     this.lights.aimShadows(shadowRegion(casters, target));
+  }
+
+  /// The visible surfaces of an entity with its parts.
+  surfacesOf(entity: number): Surface[] {
+    return [...this.batches.places()]
+      .filter((place) => isWithin(this.content.places, place, entity))
+      .flatMap((place) => this.batches.itemsOf(place).map(({ geometry, M_PlaceForm }) => {
+        const M_WorldPlace = this.places.matrix(place) ?? new Matrix4();
+        return { geometry, M_WorldForm: new Matrix4().multiplyMatrices(M_WorldPlace, M_PlaceForm) };
+      }));
   }
 
   /// Bounding box of the visible parts of an entity, in the given frame; a small box if it has none.

@@ -28,6 +28,8 @@ export class Handles {
   constructor(camera: Camera, element: HTMLElement, root: Scene, options: HandlesOptions) {
     this.controls = new TransformControls(camera, element);
     this.controls.setSize(0.8);
+    // not the pure red, green and blue that robots are painted in
+    this.controls.setColors(0xff7a50, 0xa4d93f, 0x58b4ff, 0xffe14d);
     root.add(this.carrier, this.controls.getHelper());
     this.controls.addEventListener('change', () => options.changed());
     this.controls.addEventListener('dragging-changed', ({ value }) => options.busy(value === true));
