@@ -46,6 +46,11 @@ int axisOf(const Joint& joint, int axis) {
                         " axes with a position; there is no axis " + std::to_string(axis));
 }
 
+/// Raises Refused for what is static: a command to it would have no effect.
+void checkMoves(bool isStatic, const std::string& what) {
+  if (isStatic) raise("Refused", what + " is static");
+}
+
 AfterMove afterMove(bool stop) { return stop ? AfterMove::kStop : AfterMove::kKeepVelocity; }
 
 /// Base of all handles.
@@ -99,6 +104,7 @@ void bindModel(py::class_<PyModel>& type) {
       .def(
           "set_velocity",
           [](PyModel& self, py::handle linear, py::handle angular) {
+            checkMoves(self.use().isStatic(), "model '" + self.inner.scopedName() + "'");
             self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
@@ -152,14 +158,16 @@ void bindLink(py::class_<PyLink>& type) {
       .def(
           "add_wrench",
           [](PyLink& self, py::handle force, py::handle torque) {
+            checkMoves(self.use().model().isStatic(), "link '" + self.inner.scopedName() + "'");
             self.use().addWrench(vectorOf(force, "a force"), vectorOf(torque, "a torque"));
           },
           py::arg("force"), py::arg("torque") = py::make_tuple(0.0, 0.0, 0.0),
           "Applies a force at the link frame's origin [N] and a torque [N m] during the next step, both in the world "
-          "frame. Several calls add up.")
+          "frame. Several calls add up. Raises Refused for a static link.")
       .def(
           "set_velocity",
           [](PyLink& self, py::handle linear, py::handle angular) {
+            checkMoves(self.use().model().isStatic(), "link '" + self.inner.scopedName() + "'");
             self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
-#include <cstring>
-#include <functional>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -99,6 +98,15 @@ void speedUpModels(const std::vector<PyModel*>& models, const py::buffer& veloci
   const std::span<const double> all = numbersOf(info);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const double* v = all.subspan(i * kSize, kSize).data();
+    const Model& model = models[i]->use();
+    if (!model.isStatic()) continue;
+    if (std::any_of(v, v + kSize, [](double number) { return number != 0; })) {
+      raise("Refused", "model '" + model.scopedName() + "' is static");
+    }
+  }
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const double* v = all.subspan(i * kSize, kSize).data();
+    if (models[i]->inner.isStatic()) continue;
     models[i]->use().setVelocity({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
   }
 }

@@ -265,7 +265,7 @@ class Simulation(_core.Simulation):
 
         velocities: n x 6 numbers like those of `velocities`.
         names: those of `model_names` that they are for; None: all.
-        Raises KeyError, and ValueError for numbers that are not finite.
+        Raises KeyError, ValueError for numbers that are not finite, and Refused for a static model that should move.
         """
         models = models_of(self, names)
         given = numbers(velocities, (len(models), 6), "velocities")

@@ -117,3 +117,11 @@ def test_help_is_for_readers(kind):
     text = pydoc.plain(pydoc.render_doc(kind))
     for internal in ("::python", "std::", "Owner", "_memory", "find_sensor", "open_subscription", "ask(", "arg0", "handle"):
         assert internal not in text, text[max(0, text.find(internal) - 200):text.find(internal) + 100]
+
+
+def test_a_command_to_what_is_static(ball):
+    ground = ball.model("ground")
+    for call in (lambda: ground.set_velocity((1, 0, 0)), lambda: ground.link("link").set_velocity((1, 0, 0)),
+                 lambda: ground.link("link").add_wrench((1, 0, 0))):
+        with pytest.raises(pongsim.Refused, match="'ground.* is static"):
+            call()

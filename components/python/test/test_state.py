@@ -188,6 +188,12 @@ def test_poses_and_velocities_of_models(many):
     assert many.poses() == pytest.approx(before, abs=1e-12)
     with pytest.raises(ValueError, match="finite"):
         many.set_velocities([[np.nan] * 6], ["cart"])
+    many.set_velocities(many.velocities())
+    speeds = many.velocities().copy()
+    speeds[[0, 3], 0] = 1
+    with pytest.raises(pongsim.Refused, match="'wall' is static"):
+        many.set_velocities(speeds)
+    assert not many.velocities()[0].any()
     with pytest.raises(KeyError):
         many.set_poses(poses[:1], ["card"])
 

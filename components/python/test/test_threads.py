@@ -1,6 +1,8 @@
 """Several simulations on threads, one on several."""
 
 import concurrent.futures
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -95,3 +97,22 @@ def test_dropping_what_listens_while_another_thread_steps():
         spare.pop()
     thread.join()
     assert count == 2000
+
+
+def test_threads_that_cannot_start_are_an_exception():
+    """The memory for their stacks is not there."""
+    code = f"""
+import resource, pongsim
+pongsim.Simulation({BALL!r}).step()
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + (64 << 20),) * 2)
+try:
+    pongsim.Simulation({BALL!r}, threads=200)
+except RuntimeError as error:
+    assert "can't start 200 threads" in str(error), error
+    with pongsim.Simulation({BALL!r}) as sim:
+        sim.step()
+        print("goes on")
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout) == (0, "goes on\n"), done.stderr
