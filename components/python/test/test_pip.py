@@ -76,3 +76,17 @@ def test_the_folder_is_that_of_an_installation(tmp_path, program):
     result = subprocess.run([sys.executable, "-c", code.replace("runpy.run", "print(runpy.run").replace("()", "())")],
                             cwd=tmp_path, capture_output=True, text=True)
     assert result.stdout == "1\n" and "is not a wheel" in result.stderr
+
+
+def test_a_build_names_all_packages_that_are_missing_at_once(tmp_path):
+    """Here pkg-config finds nothing, and Embree is not there."""
+    done = subprocess.run(
+        ["cmake", "-S", PROJECT, "-B", tmp_path, "-DCMAKE_DISABLE_FIND_PACKAGE_embree=ON", "-DBUILD_TESTING=OFF"],
+        capture_output=True, text=True, env={**os.environ, "PKG_CONFIG_LIBDIR": "/nonexistent"},
+    )
+    text = " ".join(done.stderr.split())
+    assert done.returncode != 0
+    named = text.partition("sudo apt-get install ")[2].partition(" Call Stack")[0].split()
+    assert {"libembree-dev", "libbullet-dev", "libassimp-dev", "libignition-msgs-dev"} <= set(named), text
+    known = re.findall(r"^ ([a-z0-9.+-]+)", (PROJECT / "debian/control").read_text().partition("Build-Depends:")[2].partition("\n\n")[0], re.M)
+    assert set(named) <= set(known)
