@@ -105,7 +105,10 @@ void Body::setLink(world::Slot link) {
 void Body::setMass(const Mass& mass) {
   mass_ = mass;
   moments_ = mass.inertiaFactor == 1 ? momentsOfFile_ : momentsOfFile_ * mass.inertiaFactor;
+  assert(moves_ && mass.mass > 0 && mass.inertiaFactor > 0);
   rigid_.setMassProps(mass.mass, moments_);
+  // Bullet keeps the weight
+  rigid_.setGravity(rigid_.getGravity());
   rigid_.updateInertiaTensor();
 }
 

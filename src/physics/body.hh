@@ -44,7 +44,7 @@ class Body {
     double inertiaFactor = 1;
   };
   const Mass& mass() const { return mass_; }
-  /// The centre of mass and the principal axes stay. Both numbers must be positive; call `setGravity` afterwards.
+  /// The centre of mass and the principal axes stay. Both numbers must be positive.
   void setMass(const Mass& mass);
 
   /// @param gravity World frame [m/s^2]; has no effect on a link with gravity switched off.

@@ -454,10 +454,7 @@ Engine::Mass Engine::mass(world::Slot link) const {
 }
 
 void Engine::setMass(world::Slot link, const Mass& mass) {
-  Body& body = *parts_->bodies[link];
-  assert(body.moves() && mass.mass > 0 && mass.inertiaFactor > 0);
-  body.setMass({mass.mass, mass.inertiaFactor});
-  body.setGravity(parts_->gravity);
+  parts_->bodies[link]->setMass({mass.mass, mass.inertiaFactor});
   parts_->stepper.forgetRest();
 }
 
@@ -471,7 +468,6 @@ void Engine::setFeel(world::Slot link, std::size_t collision, const Feel& feel) 
   const LinkShape::Feel wanted{feel.mu, feel.mu2, feel.restitution};
   if (body.shape().feel(collision) == wanted) return;
   body.shape().setFeel(collision, wanted);
-  // contact points keep what they were made with
   parts_->stepper.collisions().moved(body.rigid());
   parts_->stepper.forgetRest();
 }

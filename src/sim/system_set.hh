@@ -75,8 +75,8 @@ class SystemSet {
   /// @param seed New seed; unset: the same.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed);
 
-  /// Forgets what belongs to the time before a saved state was restored: requests of systems, and a failure, after which
-  /// a strict set could not go on.
+  /// Forgets what belongs to the time before a saved state was restored: requests of systems, and a failure, after
+  /// which a strict set could not go on.
   void forgetPast();
 
   /// Notifies the systems that the time was set, by `reset`.

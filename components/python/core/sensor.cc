@@ -64,11 +64,10 @@ bool hasNoise(const Element& element) {
 
 }  // namespace
 
-Stream::Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& messageType,
-               const std::string& what)
-    : kind(what), type(messageType), life_(life) {
+Stream::Stream(const std::shared_ptr<Life>& life, const Sensor& sensor, const SensorReadings& readings)
+    : kind(readings.kind), type(readings.messageType), life_(life), sensor_(sensor) {
   subscription_ = life->use().transport().node().subscribeAtOnce(
-      topic, type, [this](const Message& heard, const Bulk* bulk) { hear(heard, bulk); });
+      sensor.topic(readings), type, [this](const Message& heard, const Bulk* bulk) { hear(heard, bulk); });
 }
 
 const Stream& Stream::use() const {
@@ -141,7 +140,9 @@ std::shared_ptr<Stream> PySensor::listen(const std::string& kind) {
   for (const SensorReadings& readings : life->use().readings(sensor.type())) {
     known += (known.empty() ? "" : ", ") + readings.kind;
     if (readings.kind != kind) continue;
-    auto stream = std::make_shared<Stream>(life, sensor.topic(readings), readings.messageType, kind);
+    // those of removed models
+    std::erase_if(life->streams, [](const auto& each) { return !each.second->isOfASensor(); });
+    auto stream = std::make_shared<Stream>(life, sensor, readings);
     life->tell(stream);
     life->streams.emplace(key, stream);
     return stream;

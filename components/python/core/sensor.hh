@@ -17,11 +17,13 @@ namespace pongsim::python {
 /// simulation keeps it (`Life::streams`), so that it stays on when no object of Python refers to it.
 class Stream final : public Life::Pending {
  public:
-  /// @param kind As in `SensorReadings`.
-  Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type, const std::string& kind);
+  Stream(const std::shared_ptr<Life>& life, const Sensor& sensor, const SensorReadings& readings);
   ~Stream() override { end(subscription_); }
   void letGo() override { end(subscription_); }
   void forget() override { count = 0; }
+
+  /// @return Whether its sensor is there, or will be when its level is loaded.
+  bool isOfASensor() const { return sensor_.exists() || sensor_.isSetAside(); }
 
   /// @return Itself, if no other thread is stepping and might write meanwhile.
   /// Raises Gone, Busy like `Life::use`.
@@ -51,6 +53,7 @@ class Stream final : public Life::Pending {
   void* place(std::shared_ptr<Memory>& memory, std::size_t size);
 
   std::weak_ptr<Life> life_;
+  const Sensor sensor_;
   Subscription subscription_;
 };
 

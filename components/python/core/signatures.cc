@@ -47,21 +47,21 @@ std::string plain(std::string_view parameter) {
   return result;
 }
 
-/// @return The docstring in Python's form; empty if pybind11 has not made it, or for several overloads.
+/// @return The docstring in Python's form; empty if pybind11 has not made it, for several overloads, and for parameters
+/// without names.
 std::string rewritten(const std::string& name, std::string_view doc) {
   if (!doc.starts_with(name + "(")) return {};
   const std::size_t end = doc.find(") -> ");
   if (end == std::string_view::npos) return {};
   std::string result = name + "(";
   bool isFirst = true;
-  bool isPositional = false;
   for (const std::string_view parameter : split(doc.substr(name.size() + 1, end - name.size() - 1))) {
     const std::string text = plain(parameter);
-    isPositional = isPositional || text.starts_with("arg");
+    // pybind11's name for one without a name: a function for the package itself
+    if (text.starts_with("arg0")) return {};
     result += (isFirst ? "" : ", ") + text;
     isFirst = false;
   }
-  if (isPositional) result += ", /";
   const std::size_t line = doc.find('\n');
   std::string_view text = line == std::string_view::npos ? std::string_view() : doc.substr(line);
   while (text.starts_with('\n')) text.remove_prefix(1);

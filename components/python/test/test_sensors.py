@@ -182,3 +182,15 @@ def test_a_sensor_that_was_removed_and_another_of_its_name_are_two():
             sim.sensor("laser").ranges
         sim.step(20)
         assert sim.sensor("laser").ranges[2] < near
+
+
+def test_sensors_of_removed_models_leave_nothing():
+    with seen(LASER % 1) as sim:
+        text = (SEEN % (LASER % 1)).partition('<model name="eye">')[2].partition("</model>")[0]
+        before = set(sim.topics)
+        for i in range(20):
+            eye = sim.insert(f'<sdf version="1.9"><model name="other{i}">{text}</model></sdf>')
+            sim.sensor(f"other{i}::l::laser")
+            sim.remove(eye)
+        sim.sensor("laser")
+        assert len(set(sim.topics) - before) < 3
