@@ -53,7 +53,7 @@ TEST(IgnArguments, TellOfVersionsWithoutRunningAnything) {
   EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"topic", "--versions"}).text, "11\n");
   EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"sdf", "--versions"}).text, "12\n");
   EXPECT_EQ(fromIgnArguments(GazeboProgram::kIgn, {"gazebo", "--version"}).text,
-            "pongsim " PONGSIM_VERSION ", which does what 'gazebo' of version 6 does\n");
+            "pongsim " PONGSIM_VERSION ", which does what 'gazebo' of version 6 of Fortress does\n");
   for (const char* word : {"-v", "--version"}) {
     EXPECT_TRUE(fromIgnArguments(GazeboProgram::kIgn, {"topic", word}).text.has_value()) << word;
     EXPECT_TRUE(fromIgnArguments(GazeboProgram::kIgn, {"service", "-l", word}).text.has_value()) << word;
