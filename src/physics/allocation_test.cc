@@ -2,40 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <new>
 
 #include "physics/engine.hh"
+#include "support/counted_allocations.hh"
 #include "support/physics/rig.hh"
-
-namespace {
-
-long allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  if (void* memory = std::aligned_alloc(alignment, rounded)) return memory;
-  throw std::bad_alloc();
-}
-
-void* countedForBullet(std::size_t size, int alignment) { return counted(size, static_cast<std::size_t>(alignment)); }
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-void* operator new[](std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t align) { return counted(size, static_cast<std::size_t>(align)); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace pongsim::physics {
 namespace {
 
 using description::JointType;
+
+void* allocateForBullet(std::size_t size, int alignment) {
+  return test::countedAllocation(size, static_cast<std::size_t>(alignment));
+}
 
 // a cart on two wheels and a skid, driven, and a box that lies about
 description::World cart() {
@@ -63,16 +42,16 @@ description::World cart() {
 }
 
 TEST(Engine, AllocatesNothingInASteadyStep) {
-  btAlignedAllocSetCustomAligned(countedForBullet, std::free);
+  btAlignedAllocSetCustomAligned(allocateForBullet, std::free);
   {
     test::Rig rig(cart());
     rig.engine.setJointVelocityTarget(0, 2);
     rig.engine.setJointVelocityTarget(1, 3);
     rig.engine.setSurfaceMotion(4, 0, SurfaceMotion{.speed = 0.1, .center = Vector3(0, 9, 0)});
     rig.step(1000);
-    const long before = allocations;
+    const long before = test::allocations;
     rig.step(2000);
-    EXPECT_EQ(allocations - before, 0);
+    EXPECT_EQ(test::allocations - before, 0);
     EXPECT_GT(before, 0);
   }
 }

@@ -1,32 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "sdf/loader.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/editor.hh"
+#include "support/counted_allocations.hh"
 #include "support/sim/level_world.hh"
-
-namespace {
-
-long allocations = 0;
-
-void* counted(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace pongsim::sim {
 namespace {
@@ -52,14 +33,14 @@ TEST(LevelsAllocation, AllocateNothingWhereNothingChanges) {
   EXPECT_EQ(entities.listSetAside().size(), 4U);
   for (const double y : {0.0, -20.0, -10.0}) {
     put(40, y);
-    const long before = allocations;
+    const long before = test::allocations;
     for (int i = 0; i < 100; ++i) {
       access.levels.update();
       access.levels.listPerformers(performers);
     }
-    EXPECT_EQ(allocations, before) << y;
+    EXPECT_EQ(test::allocations, before) << y;
   }
-  EXPECT_GT(allocations, 0);
+  EXPECT_GT(test::allocations, 0);
 }
 
 }  // namespace

@@ -15,33 +15,7 @@
 #include <vector>
 
 #include "pongsim/node.hh"
-
-namespace {
-
-// Of this thread's allocations; counts down to the one that fails.
-thread_local long untilFailure = 0;
-
-void* failing(std::size_t size) noexcept {
-  if (untilFailure > 0 && --untilFailure == 0) return nullptr;
-  return std::malloc(size);
-}
-
-void* throwing(std::size_t size) {
-  if (void* memory = failing(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return throwing(size); }
-void* operator new[](std::size_t size) { return throwing(size); }
-// a sanitizer's would not be freed with free
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/failing_allocations.hh"
 
 namespace pongsim {
 namespace {
@@ -71,14 +45,14 @@ class NodeMemoryTest : public testing::Test {
   std::pair<Endpoint, int> withFailures(const std::function<Endpoint()>& add, const std::function<void()>& look) {
     for (int failures = 0;; ++failures) {
       std::optional<Endpoint> added;
-      untilFailure = failures + 1;
+      test::allocationsUntilFailure = failures + 1;
       try {
         added = add();
       } catch (const std::bad_alloc&) {
         added.reset();
       }
-      const bool hasFailed = untilFailure == 0;
-      untilFailure = 0;
+      const bool hasFailed = test::allocationsUntilFailure == 0;
+      test::allocationsUntilFailure = 0;
       if (added && !hasFailed) return {std::move(*added), failures};
       // one that does without what failed is fine, too
       if (!added) look();

@@ -10,14 +10,12 @@
 
 #include <ignition/transport/Node.hh>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,6 +24,7 @@
 #include "ign/place.hh"
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
+#include "support/message_ages.hh"
 #include "support/process.hh"
 
 namespace pongsim::ign {
@@ -34,7 +33,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using ignition::msgs::Image;
 using ignition::msgs::Twist;
+using test::callAtRate;
+using test::median;
+using test::MessageAges;
 using test::Process;
+using test::secondsNow;
+using test::waitFor;
 
 struct Kind {
   const char* name;
@@ -49,18 +53,9 @@ constexpr unsigned kWidth = 640, kHeight = 480;
 constexpr int kIdleTopics = 50;
 constexpr int kIdleSteps = 1'000'000;
 
-/// Seconds of the steady clock, the same in all processes.
-double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-
-double median(std::vector<double> all) {
-  if (all.empty()) return 0;
-  std::ranges::sort(all);
-  return all[all.size() / 2];
-}
-
 Twist stampedTwist() {
   Twist message;
-  message.mutable_linear()->set_x(now());
+  message.mutable_linear()->set_x(secondsNow());
   return message;
 }
 
@@ -69,7 +64,7 @@ Image stampedImage() {
   message.set_width(kWidth);
   message.set_height(kHeight);
   message.set_step(3 * kWidth);
-  const double at = now();
+  const double at = secondsNow();
   message.mutable_header()->mutable_stamp()->set_sec(static_cast<std::int64_t>(at));
   message.mutable_header()->mutable_stamp()->set_nsec(
       static_cast<std::int32_t>((at - static_cast<double>(static_cast<std::int64_t>(at))) * 1e9));
@@ -82,36 +77,15 @@ const std::vector<char>& picture() {
   return pixels;
 }
 
-/// Collects ages of received messages until there are enough.
-class Ages {
- public:
-  void add(double age) {
-    const std::lock_guard lock(mutex_);
-    ages_.push_back(age * 1e6);
-    last_ = Clock::now();
-  }
-  std::vector<double> wait(int count) {
-    while (true) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      const std::lock_guard lock(mutex_);
-      const bool isSilent = !ages_.empty() && Clock::now() - last_ > std::chrono::seconds(2);
-      if (static_cast<int>(ages_.size()) >= count || isSilent) return ages_;
-    }
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<double> ages_;
-  Clock::time_point last_;
-};
-
 int hear(int kind) {
   ignition::transport::Node node;
-  Ages ages;
-  std::function<void(const Twist&)> twist = [&ages](const Twist& message) { ages.add(now() - message.linear().x()); };
+  MessageAges ages;
+  std::function<void(const Twist&)> twist = [&ages](const Twist& message) {
+    ages.add(1e6 * (secondsNow() - message.linear().x()));
+  };
   std::function<void(const Image&)> image = [&ages](const Image& message) {
     const auto& stamp = message.header().stamp();
-    ages.add(now() - (static_cast<double>(stamp.sec()) + stamp.nsec() * 1e-9));
+    ages.add(1e6 * (secondsNow() - (static_cast<double>(stamp.sec()) + stamp.nsec() * 1e-9)));
   };
   if (kind == kTwist ? !node.Subscribe(kKinds[kind].topic, twist) : !node.Subscribe(kKinds[kind].topic, image)) {
     return 1;
@@ -119,19 +93,6 @@ int hear(int kind) {
   const std::vector<double> all = ages.wait(kKinds[kind].count);
   std::printf("%.1f %zu\n", median(all), all.size());
   return 0;
-}
-
-void atRate(const Kind& kind, const std::function<void()>& call) {
-  const auto start = Clock::now();
-  for (int i = 0; i < kind.count; ++i) {
-    std::this_thread::sleep_until(
-        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(i / kind.rate)));
-    call();
-  }
-}
-
-void waitFor(const std::function<bool()>& condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 // After discovery, ZeroMQ takes a moment to connect.
@@ -143,7 +104,7 @@ int sayNatively(int kind) {
       kind == kTwist ? node.Advertise<Twist>(kKinds[kind].topic) : node.Advertise<Image>(kKinds[kind].topic);
   waitFor([&] { return publisher.HasConnections(); });
   settleDown();
-  atRate(kKinds[kind], [&] {
+  callAtRate(kKinds[kind].count, kKinds[kind].rate, [&] {
     if (kind == kTwist) {
       publisher.Publish(stampedTwist());
     } else {
@@ -174,7 +135,7 @@ int sayByPongsim(int kind) {
     return publisher.hasSubscribers();
   });
   settleDown();
-  atRate(kKinds[kind], [&] {
+  callAtRate(kKinds[kind].count, kKinds[kind].rate, [&] {
     if (kind == kTwist) {
       publisher.publish(stampedTwist());
     } else {

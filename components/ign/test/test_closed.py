@@ -1,30 +1,12 @@
 """Packets from another machine, simulated by a network namespace, are dropped unless the world is open to it."""
 
-import os
 import pathlib
-import shutil
-import subprocess
 import sys
 import unittest
 
 from ign_world import PEER, ROOT, client, needs_ign, run, running, world
+from other_machine import HERE, ON_THE_OTHER, THERE, Unavailable, beside_another
 
-HERE, THERE = "198.51.100.1", "198.51.100.2"
-NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
-# Runs in its own user and network namespaces, in which any user may create interfaces.
-SET_UP = f"""
-set -e
-mount -t tmpfs none /run
-ip link set lo up
-ip netns add other
-ip link add here type veth peer name there netns other
-ip address add {HERE}/24 dev here
-ip link set here up
-ip netns exec other ip link set lo up
-ip netns exec other ip address add {THERE}/24 dev there
-ip netns exec other ip link set there up
-exec "$@"
-"""
 # Packets to the discovery sockets: unicast and multicast.
 NOISE = f"""
 import socket, sys
@@ -51,7 +33,7 @@ class Inside(unittest.TestCase):
             before = drops(10317), drops(10318)
             run(sys.executable, "-c", NOISE, HERE)
             self.assertEqual((drops(10317), drops(10318)), before)
-            run("ip", "netns", "exec", "other", sys.executable, "-c", NOISE, THERE)
+            run(*ON_THE_OTHER, sys.executable, "-c", NOISE, THERE)
             self.assertGreaterEqual(drops(10317), before[0] + 10)
             self.assertGreaterEqual(drops(10318), before[1] + 10)
             # a client with default settings, which sends from the network interface's address
@@ -59,7 +41,7 @@ class Inside(unittest.TestCase):
                 listener.wait_for("heard")
             # the other machine discovers no topics
             if client("topic").exists():
-                there = run("ip", "netns", "exec", "other", client("topic"), "-l", environment={"IGN_IP": ""})
+                there = run(*ON_THE_OTHER, client("topic"), "-l", environment={"IGN_IP": ""})
                 self.assertNotIn("/clock", there)
 
     @needs_ign
@@ -67,25 +49,19 @@ class Inside(unittest.TestCase):
         # another multicast group, so that discovery works only by the relay
         apart = {"IGN_IP": HERE, "IGN_DISCOVERY_MULTICAST_IP": "239.255.0.8"}
         there = {"IGN_IP": THERE}
-        other = ("ip", "netns", "exec", "other")
         with world(ROOT / "worlds/pong_world.sdf", environment=apart):
-            self.assertNotIn("/clock", run(*other, client("topic"), "-l", environment=there))
+            self.assertNotIn("/clock", run(*ON_THE_OTHER, client("topic"), "-l", environment=there))
         with world(ROOT / "worlds/pong_world.sdf", environment={**apart, "IGN_RELAY": THERE}), \
-                running(*other, PEER, "listen", "/clock", "ignition.msgs.Clock", environment=there) as listener:
+                running(*ON_THE_OTHER, PEER, "listen", "/clock", "ignition.msgs.Clock", environment=there) as listener:
             listener.wait_for("heard")
 
 
 class Closed(unittest.TestCase):
     def test_it_is(self):
-        environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
-        if not shutil.which("ip", path=environment["PATH"]) or not shutil.which("unshare"):
-            self.skipTest("iproute2 or unshare is not installed")
-        # not allowed in a chroot, nor in every container
-        may = subprocess.run([*NAMESPACES, "true"], env=environment, capture_output=True, text=True, timeout=60)
-        if may.returncode != 0:
-            self.skipTest(f"no namespaces can be made here: {may.stderr.strip()}")
-        result = subprocess.run([*NAMESPACES, "bash", "-c", SET_UP, "bash", sys.executable, __file__, "Inside"],
-                                env=environment, capture_output=True, text=True, timeout=300)
+        try:
+            result = beside_another([sys.executable, __file__, "Inside"])
+        except Unavailable as why:
+            self.skipTest(str(why))
         self.assertEqual(result.returncode, 0, result.stderr[-3000:])
 
 

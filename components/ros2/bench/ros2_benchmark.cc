@@ -19,7 +19,6 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,6 +29,7 @@
 #include "ros2/types/cdr.hh"
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/sensor_msgs.hh"
+#include "support/message_ages.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 
@@ -37,7 +37,12 @@ namespace pongsim::ros2 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using test::callAtRate;
+using test::median;
+using test::MessageAges;
 using test::Process;
+using test::secondsNow;
+using test::waitFor;
 using Transports = BarePeer::Transports;
 
 struct Kind {
@@ -55,68 +60,22 @@ constexpr int kRounds = 5;
 constexpr int kBeams = 640;
 constexpr unsigned kWidth = 640, kHeight = 480;
 
-/// Seconds of the steady clock, the same in all processes.
-double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-
 /// @return Age of a payload [us]: a Twist has its time in its first number, other types in the stamp of their header.
 double age(int kind, std::span<const std::byte> payload) {
   if (kind == kTwist) {
     double at = 0;
     std::memcpy(&at, &payload[kEncapsulation], sizeof at);
-    return (now() - at) * 1e6;
+    return (secondsNow() - at) * 1e6;
   }
   builtin_interfaces::Time at;
   std::memcpy(&at.sec, &payload[kEncapsulation], 4);
   std::memcpy(&at.nanosec, &payload[kEncapsulation + 4], 4);
-  return (now() - at.sec - at.nanosec * 1e-9) * 1e6;
+  return (secondsNow() - at.sec - at.nanosec * 1e-9) * 1e6;
 }
 
 builtin_interfaces::Time stamp() {
-  const double at = now();
+  const double at = secondsNow();
   return {static_cast<std::int32_t>(at), static_cast<std::uint32_t>((at - static_cast<std::int32_t>(at)) * 1e9)};
-}
-
-double median(std::vector<double> all) {
-  if (all.empty()) return 0;
-  std::ranges::sort(all);
-  return all[all.size() / 2];
-}
-
-/// Collects ages of received messages until there are enough.
-class Ages {
- public:
-  void add(double age) {
-    const std::lock_guard lock(mutex_);
-    ages_.push_back(age);
-    last_ = Clock::now();
-  }
-  /// Waits for this many, or until a while after the last one.
-  std::vector<double> wait(int count) {
-    while (true) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      const std::lock_guard lock(mutex_);
-      const bool isSilent = !ages_.empty() && Clock::now() - last_ > std::chrono::seconds(2);
-      if (static_cast<int>(ages_.size()) >= count || isSilent) return ages_;
-    }
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<double> ages_;
-  Clock::time_point last_;
-};
-
-void atRate(const Kind& kind, const std::function<void()>& call) {
-  const auto start = Clock::now();
-  for (int i = 0; i < kind.count; ++i) {
-    std::this_thread::sleep_until(
-        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(i / kind.rate)));
-    call();
-  }
-}
-
-void waitFor(const std::function<bool()>& condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 sensor_msgs::LaserScan rosScan() {
@@ -147,9 +106,9 @@ void writeBare(BarePeer& peer, int number) {
   sensor_msgs::LaserScan scan = rosScan();
   sensor_msgs::Image image = rosImage();
   std::vector<std::byte> payload(number == kTwist ? cdrSize(twist) : number == kScan ? cdrSize(scan) : cdrSize(image));
-  atRate(kind, [&] {
+  callAtRate(kind.count, kind.rate, [&] {
     if (number == kTwist) {
-      twist.linear.x = now();
+      twist.linear.x = secondsNow();
       writeCdr(twist, payload);
     } else if (number == kScan) {
       scan.header.stamp = stamp();
@@ -174,7 +133,7 @@ int writeProcess(int domain, int kind, Transports transports) {
 int readProcess(int domain, int number, Transports transports) {
   const Kind& kind = kKinds[number];
   BarePeer peer(domain, transports);
-  Ages ages;
+  MessageAges ages;
   peer.read(topicOnWire(kind.topic), ddsTypeName(kind.type),
             [&](std::span<const std::byte> payload) { ages.add(age(number, payload)); });
   waitFor([&] { return peer.matched() > 0; });
@@ -205,7 +164,7 @@ double bareToReader(int domain, int kind, const std::string& way) {
 }
 
 double bareFromWriter(int domain, int kind, const std::string& way) {
-  Ages ages;
+  MessageAges ages;
   BarePeer reader(domain, transportsNamed(way));
   reader.read(topicOnWire(kKinds[kind].topic), ddsTypeName(kKinds[kind].type),
               [&](std::span<const std::byte> payload) { ages.add(age(kind, payload)); });
@@ -228,10 +187,10 @@ struct Bridged {
 
 double twistIn(int domain) {
   Bridged bridged(domain);
-  Ages ages;
+  MessageAges ages;
   const Subscription heard = bridged.transport.node().subscribeAtOnce(
       kKinds[kTwist].topic, "ignition.msgs.Twist", [&](const Message& message, const Bulk*) {
-        ages.add((now() - static_cast<const ignition::msgs::Twist&>(message).linear().x()) * 1e6);
+        ages.add((secondsNow() - static_cast<const ignition::msgs::Twist&>(message).linear().x()) * 1e6);
       });
   bridged.bridge.update();
   Process writer({own(), "write", std::to_string(kTwist), "udp"});
@@ -255,7 +214,7 @@ double scanOut(int domain) {
     return publisher.hasSubscribers();
   });
   reader.waitForOutput("ready");
-  atRate(kKinds[kScan], [&] {
+  callAtRate(kKinds[kScan].count, kKinds[kScan].rate, [&] {
     const builtin_interfaces::Time at = stamp();
     scan.mutable_header()->mutable_stamp()->set_sec(at.sec);
     scan.mutable_header()->mutable_stamp()->set_nsec(static_cast<int>(at.nanosec));
@@ -285,7 +244,7 @@ double imageOut(int domain, double& copies) {
     return publisher.hasSubscribers();
   });
   reader.waitForOutput("ready");
-  atRate(kKinds[kImage], [&] {
+  callAtRate(kKinds[kImage].count, kKinds[kImage].rate, [&] {
     const builtin_interfaces::Time at = stamp();
     image.mutable_header()->mutable_stamp()->set_sec(at.sec);
     image.mutable_header()->mutable_stamp()->set_nsec(static_cast<int>(at.nanosec));

@@ -3,7 +3,6 @@
 import json
 import os
 import pathlib
-import shutil
 import socket
 import struct
 import subprocess
@@ -11,40 +10,18 @@ import sys
 
 import peers
 import pytest
+from other_machine import HERE, ON_THE_OTHER, THERE, Unavailable, beside_another
 
 WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
-HERE, THERE = "198.51.100.1", "198.51.100.2"
 GROUP = "239.255.0.1"
-
-NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
-# In namespaces of its own, where any user may create interfaces.
-SET_UP = """
-set -e
-mount -t tmpfs none /run
-ip link set lo up
-ip netns add other
-ip link add here type veth peer name there netns other
-ip address add {here}/24 dev here
-ip link set here up
-ip netns exec other ip link set lo up
-ip netns exec other ip address add {there}/24 dev there
-ip netns exec other ip link set there up
-exec "$@"
-"""
 
 
 def inside(function, distro="humble"):
     """Runs a function of this file within the namespaces, for a distribution, and returns its output."""
-    for tool in ("ip", "unshare"):
-        assert shutil.which(tool) or pathlib.Path("/usr/sbin", tool).exists(), f"{tool} is not installed"
-    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin", "ROS_DISTRO": distro}
-    # not in a chroot, and not in every container
-    may = subprocess.run([*NAMESPACES, "true"], env=environment, capture_output=True, text=True, timeout=60)
-    if may.returncode != 0:
-        pytest.skip(f"no namespaces can be made here: {may.stderr.strip()}")
-    result = subprocess.run(
-        [*NAMESPACES, "bash", "-c", SET_UP.format(here=HERE, there=THERE), "bash", sys.executable, __file__, function],
-        env=environment, capture_output=True, text=True, timeout=200)
+    try:
+        result = beside_another([sys.executable, __file__, function], ROS_DISTRO=distro)
+    except Unavailable as why:
+        pytest.skip(str(why))
     assert result.returncode == 0, result.stderr[-3000:]
     return json.loads(result.stdout.splitlines()[-1])
 
@@ -68,7 +45,7 @@ def sockets(pid):
 
 
 def elsewhere(program, *arguments):
-    return subprocess.Popen(["ip", "netns", "exec", "other", sys.executable, "-c", program, *map(str, arguments)],
+    return subprocess.Popen([*ON_THE_OTHER, sys.executable, "-c", program, *map(str, arguments)],
                             stdout=subprocess.PIPE, text=True)
 
 
@@ -172,7 +149,7 @@ def forged_packets():
         ways = [(HERE, port) for port in ports] + [(GROUP, port) for port in groups]
         packets = [(source, to, port, outside.hex()) for source in (HERE, "127.0.0.1", "127.0.0.2", THERE)
                    for to, port in ways]
-        forger = subprocess.run(["ip", "netns", "exec", "other", sys.executable, "-c", FORGE, THERE],
+        forger = subprocess.run([*ON_THE_OTHER, sys.executable, "-c", FORGE, THERE],
                                 input=json.dumps(packets), text=True, timeout=60)
         assert forger.returncode == 0
         arrived = 0

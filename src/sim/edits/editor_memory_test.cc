@@ -11,32 +11,7 @@
 #include "sdf/loader.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/editor.hh"
-
-namespace {
-
-// Number of this thread's allocations until one fails.
-thread_local long untilFailure = 0;
-
-void* failing(std::size_t size) noexcept {
-  if (untilFailure > 0 && --untilFailure == 0) return nullptr;
-  return std::malloc(size);
-}
-
-void* throwing(std::size_t size) {
-  if (void* memory = failing(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return throwing(size); }
-void* operator new[](std::size_t size) { return throwing(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/failing_allocations.hh"
 
 namespace pongsim::sim {
 namespace {
@@ -103,13 +78,13 @@ class EditorMemoryTest : public testing::Test {
       const std::size_t models = failing.entities.models().size();
       const std::size_t joints = failing.entities.joints().size();
       bool isDone = true;
-      untilFailure = failures + 1;
+      test::allocationsUntilFailure = failures + 1;
       try {
         edit(failing);
       } catch (const std::bad_alloc&) {
         isDone = false;
       }
-      untilFailure = 0;
+      test::allocationsUntilFailure = 0;
       if (isDone) break;
       ++failures;
       EXPECT_EQ(failing.entities.models().size(), models);
