@@ -1,9 +1,10 @@
-import { PCFShadowMap, Sphere, type Vector3, WebGLRenderer } from 'three';
+import { Sphere, type Vector3, type WebGLRenderer, WebGLRenderTarget } from 'three';
 
 import { type Direction, OrbitCamera } from './camera/orbit_camera.ts';
 import { keyMove } from './camera/keys.ts';
 import { AdaptiveResolution } from './camera/adaptive_resolution.ts';
 import { Pointer } from './camera/pointer.ts';
+import { hasWebGl, makeRenderer } from './draw/renderer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, SceneMessage } from './messages.ts';
 import { Cloud } from './overlays/cloud.ts';
@@ -38,6 +39,8 @@ export interface ViewOptions {
   onProblem?(text: string): void;
 }
 
+// scale of pictures that stay where graphics are emulated, which have no antialiasing there
+const supersampling = 1.5;
 // time without a change after which the view is rendered in full resolution [ms]
 const restTime = 300;
 
@@ -45,8 +48,7 @@ const restTime = 300;
 export class View {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
-  // calls sceneChanged, because in a large scene the region with shadows follows the target of the viewpoint
-  private readonly orbitCamera = new OrbitCamera(() => this.sceneChanged());
+  private readonly orbitCamera = new OrbitCamera(() => this.invalidate());
   private readonly shown = new Shown();
   private readonly stage: Stage;
   private readonly marked: Marked;
@@ -74,30 +76,27 @@ export class View {
   private nextFrame: number | null = null;
   private readonly resolution = new AdaptiveResolution();
   private scale = 1;
+  /// The scale of a picture that stays.
+  private readonly fullScale: number;
+  private requestedAt = 0;
+  private took = 0;
   private rest: ReturnType<typeof setTimeout> | undefined;
   private needsShadows = true;
+  private tiny: WebGLRenderTarget | null = null;
 
   /// Whether this browser supports 3D graphics (WebGL 2).
   static supported(): boolean {
-    try {
-      View.tried ??= document.createElement('canvas');
-      return View.tried.getContext('webgl2') !== null;
-    } catch {
-      return false;
-    }
+    return hasWebGl();
   }
-
-  /// The canvas of that test, reused by the next view, because creating a WebGL context takes a while.
-  private static tried: HTMLCanvasElement | undefined;
 
   /// @throws Error if this browser does not support WebGL 2.
   constructor(
     parent: HTMLElement,
     private readonly options: ViewOptions,
   ) {
-    const canvas = View.tried;
-    View.tried = undefined;
-    this.renderer = new WebGLRenderer({ antialias: true, ...(canvas && { canvas }) });
+    const { renderer, isSlow } = makeRenderer();
+    this.renderer = renderer;
+    this.fullScale = isSlow ? supersampling : 1;
     this.canvas = this.renderer.domElement;
     this.prepareCanvas(parent);
     this.stage = new Stage({
@@ -135,15 +134,12 @@ export class View {
   }
 
   private prepareCanvas(parent: HTMLElement): void {
-    const { canvas, renderer } = this;
+    const { canvas } = this;
     canvas.style.cssText = 'display:block;width:100%;height:100%';
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     canvas.setAttribute('aria-label', '3D view of the world: Shift and arrows rotate, plus and minus zoom');
     parent.append(canvas);
-    renderer.shadowMap.enabled = true;
-    renderer.shadowMap.type = PCFShadowMap;
-    renderer.shadowMap.autoUpdate = false;
     const { signal } = this.end;
     const lost = () => this.options.onProblem?.('the browser has released the graphics context of the 3D view');
     canvas.addEventListener('webglcontextlost', lost, { signal });
@@ -182,10 +178,13 @@ export class View {
 
   /// Schedules a frame, if none is scheduled.
   private invalidate(): void {
-    this.nextFrame ??= requestAnimationFrame((now) => {
+    if (this.nextFrame !== null) return;
+    this.requestedAt = performance.now();
+    this.nextFrame = requestAnimationFrame(() => {
       this.nextFrame = null;
       // the resolution must not change within a video
-      const scale = this.recorder ? 1 : this.resolution.next(now);
+      this.took = performance.now() - this.requestedAt;
+      const scale = this.recorder ? 1 : this.resolution.next(this.took);
       this.setScale(scale);
       this.draw();
       if (this.recorder) this.invalidate();
@@ -193,14 +192,16 @@ export class View {
     });
   }
 
+  /// Not between two frames of a motion, however long they take.
   private sharpenLater(): void {
     clearTimeout(this.rest);
-    if (this.scale < 1) this.rest = setTimeout(() => this.drawWhole(), restTime);
+    const whole = this.resolution.isReduced ? 1 : this.fullScale;
+    if (this.scale < whole) this.rest = setTimeout(() => this.drawWhole(whole), Math.max(restTime, 4 * this.took));
   }
 
   /// Renders in full resolution, when nothing moves any more.
-  private drawWhole(): void {
-    this.setScale(1);
+  private drawWhole(scale: number): void {
+    this.setScale(scale);
     this.draw();
   }
 
@@ -220,15 +221,25 @@ export class View {
       this.scans.update();
       this.clouds.update();
     }
-    if (moved.length > 0 || this.needsShadows) this.renewShadows();
+    this.renewShadows(moved.length > 0);
+    this.stage.batches.arrange(this.orbitCamera.camera, this.renderer.domElement.height);
     this.renderer.render(this.stage.root, this.orbitCamera.camera);
     this.silhouette.render(this.renderer, this.orbitCamera.camera);
   }
 
-  private renewShadows(): void {
+  /// Renders the shadows if they have changed; in a large scene, the region with shadows follows the target.
+  private renewShadows(hasMoved: boolean): void {
+    if (!this.stage.aimShadows(this.orbitCamera.target, hasMoved || this.needsShadows)) return;
     this.needsShadows = false;
-    this.stage.aimShadows(this.orbitCamera.target);
-    this.renderer.shadowMap.needsUpdate = true;
+    const { renderer, stage } = this;
+    renderer.shadowMap.needsUpdate = true;
+    if (!stage.batches.showCasters(true)) return;
+    // of crowds, coarse shapes cast the shadows, and the image shows others: so the shadows have a rendering of their own
+    this.tiny ??= new WebGLRenderTarget(1, 1);
+    renderer.setRenderTarget(this.tiny);
+    renderer.render(stage.root, this.orbitCamera.camera);
+    renderer.setRenderTarget(null);
+    stage.batches.showCasters(false);
   }
 
   /// Sets a complete ignition.msgs.Scene. Entities that it still contains keep their poses, and their files are not
@@ -435,12 +446,22 @@ export class View {
     return this.renderer.info.render.calls;
   }
 
+  /// Number of triangles in the last frame, without those for shadows.
+  get triangles(): number {
+    return this.renderer.info.render.triangles;
+  }
+
   /// The view as a PNG file.
-  screenshot(): Promise<Blob> {
-    this.drawWhole();
-    return new Promise((resolve, reject) => {
-      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser cannot take a picture'))), 'image/png');
-    });
+  async screenshot(): Promise<Blob> {
+    this.drawWhole(this.fullScale);
+    const { width, height } = this.canvas;
+    const [wide, high] = [width, height].map((length) => Math.round(length / this.fullScale)) as [number, number];
+    const picture = new OffscreenCanvas(wide, high);
+    const context = picture.getContext('2d');
+    if (!context) throw new Error('the browser cannot take a picture');
+    context.imageSmoothingQuality = 'high';
+    context.drawImage(this.canvas, 0, 0, wide, high);
+    return picture.convertToBlob({ type: 'image/png' });
   }
 
   /// @throws Error if this browser can't record video.
@@ -467,6 +488,7 @@ export class View {
     this.drag.dispose();
     this.handles.dispose();
     this.silhouette.dispose();
+    this.tiny?.dispose();
     this.scans.clear();
     this.clouds.clear();
     for (const key of [...this.contacts.keys()]) this.setContacts(key, null);

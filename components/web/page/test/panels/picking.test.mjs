@@ -102,6 +102,7 @@ test('Delete removes what is chosen after a question, and undo brings it back', 
   await tab.locator('body').press('Delete');
   await question.getByText('without its plugins').waitFor();
   await tab.keyboard.press('Escape');
+  await question.waitFor({ state: 'detached' });
   assert.equal(await ball().count(), 1);
   await tab.locator('body').press('Delete');
   await question.getByRole('button', { name: 'Remove' }).click();

@@ -509,6 +509,26 @@ describe('the view', { skip: without }, () => {
     assert.ok(calls <= 10, `${calls} draw calls`);
   });
 
+  test('of three thousand spheres few triangles are drawn, and those out of view cast their shadows', async () => {
+    const sphere = { type: scenes.type.sphere, sphere: { radius: 0.5 } };
+    const models = Array.from({ length: 3000 }, (_, i) =>
+      scenes.model(10 + 4 * i, [3 * (i % 60), 3 * (Math.floor(i / 60) - 25), 0.5], sphere, scenes.paint(0.1, 0.2, 0.9)));
+    const light = { ...scenes.sun, direction: { x: 1, z: -0.3 } };
+    await show(scenes.scene([scenes.ground, ...models], { light: [light] }), { position: [-2, 0.5, 1.5], orientation: [0, 0.2474, 0, 0.9689] });
+    const triangles = await tab.evaluate(() => window.view.triangles);
+    console.log(`3,000 spheres: ${triangles} triangles`);
+    // each has 2,208
+    assert.ok(triangles > 5000 && triangles < (3000 * 2208) / 20, `${triangles} triangles`);
+    // the spheres behind the viewpoint shade the ground before it, as the light comes from there
+    const low = { position: [1.5, 0, 0.7], orientation: [0, 0.3827, 0, 0.9239] };
+    await show(scenes.scene([scenes.ground, ...models], { light: [light] }), low);
+    const shaded = await colorAt(0.5, 0.6);
+    await tab.evaluate(() => window.view.setShadows(false));
+    const bright = await colorAt(0.5, 0.6);
+    await tab.evaluate(() => window.view.setShadows(true));
+    assert.ok(bright[0] > shaded[0] + 20, `${shaded} ${bright}`);
+  });
+
   test('the page has logged no error', () => assert.deepEqual(opened.errors, []));
 });
 

@@ -7,10 +7,12 @@ import {
   InstancedMesh,
   type Intersection,
   Matrix4,
+  type PerspectiveCamera,
   type Raycaster,
 } from 'three';
 
 import type { Visual } from '../scene/content.ts';
+import { Crowd, crowdSize, sightOf } from './crowd.ts';
 import { Materials, type Style } from './materials.ts';
 import type { Paint } from './paint.ts';
 
@@ -29,7 +31,9 @@ export interface Item {
 /// Items with the same geometry and material, drawn in one call (InstancedMesh).
 class Batch {
   readonly items: Item[] = [];
+  /// All items. Those of a crowd are drawn by the crowd, and this is not visible.
   mesh: InstancedMesh;
+  crowd: Crowd | null = null;
 
   constructor(geometry: BufferGeometry, material: InstancedMesh['material'], castsShadows: boolean) {
     this.mesh = new InstancedMesh(geometry, material, 4);
@@ -87,7 +91,10 @@ export class Batches {
   constructor(private readonly materials: Materials) {}
 
   clear(): void {
-    for (const batch of this.batches.values()) batch.mesh.dispose();
+    for (const { mesh, crowd } of this.batches.values()) {
+      mesh.dispose();
+      crowd?.dispose();
+    }
     this.group.clear();
     this.batches.clear();
     this.seats.clear();
@@ -119,6 +126,30 @@ export class Batches {
     mesh.boundingSphere = null;
   }
 
+  /// Chooses what is drawn of batches with many items, for a viewpoint.
+  /// @param height Of the image [pixels].
+  arrange(camera: PerspectiveCamera, height: number): void {
+    const sight = sightOf(camera, height);
+    for (const batch of this.batches.values()) {
+      if (batch.items.length < crowdSize) continue;
+      batch.crowd ??= new Crowd(batch.mesh, this.group);
+      batch.crowd.arrange(batch.mesh, sight);
+    }
+  }
+
+  /// Shows what casts the shadows of crowds, instead of what the viewpoint sees of them.
+  /// @return Whether there are crowds.
+  showCasters(on: boolean): boolean {
+    let hasCrowds = false;
+    for (const batch of this.batches.values()) {
+      if (batch.items.length < crowdSize) continue;
+      batch.crowd ??= new Crowd(batch.mesh, this.group);
+      batch.crowd.showCasters(on, batch.mesh);
+      hasCrowds = true;
+    }
+    return hasCrowds;
+  }
+
   has(place: number): boolean {
     return this.seats.has(place);
   }
@@ -140,7 +171,7 @@ export class Batches {
 
   /// The intersections of a ray, nearest first.
   meet(ray: Raycaster): { item: Item; hit: Intersection }[] {
-    return ray.intersectObjects(this.group.children, false).flatMap((hit) => {
+    return ray.intersectObjects([...this.batches.values()].map(({ mesh }) => mesh), false).flatMap((hit) => {
       const batch = hit.object.userData['batch'] as Batch | undefined;
       const item = batch?.items[hit.instanceId ?? -1];
       return item === undefined ? [] : [{ item, hit }];

@@ -16,13 +16,21 @@ import { polylineGeometry } from './polyline.ts';
 
 // number of segments: the deviation from a circle is at most 1 - cos(pi / 48) = 0.2 % of the radius
 const sectors = 48;
-const rings = 24;
+/// Numbers of segments for shapes that are small on the screen. The deviation is a third of a pixel where the radius is at
+/// most that many pixels.
+export const coarseLevels = [
+  { sectors: 24, radius: 40 },
+  { sectors: 12, radius: 10 },
+  { sectors: 8, radius: 4 },
+];
 
 /// A shape to draw: a geometry, shared by equal shapes, and its transformation.
 export interface Form {
   /// Equal for shapes with the same geometry.
   key: string;
   make(): BufferGeometry;
+  /// The geometries for `coarseLevels`; none if it has few triangles anyway.
+  makeCoarse?: (() => BufferGeometry)[];
   /// Scale along the axes of the geometry, applied before the rotation.
   scale: Vector3;
   X_ShapeForm: Placement;
@@ -34,8 +42,10 @@ function form(key: string, make: () => BufferGeometry, scale = new Vector3(1, 1,
   return { key, make, scale, X_ShapeForm: noPlacement(), isGround: false };
 }
 
-function round(key: string, radius: number, length: number, make: () => BufferGeometry): Form {
-  return form(key, () => make().rotateX(Math.PI / 2), new Vector3(radius, radius, length));
+/// A shape whose geometry has a number of segments around z.
+function round(key: string, scale: Vector3, make: (sectors: number) => BufferGeometry): Form {
+  const upright = (count: number) => make(count).rotateX(Math.PI / 2);
+  return { ...form(key, () => upright(sectors), scale), makeCoarse: coarseLevels.map((level) => () => upright(level.sectors)) };
 }
 
 /// @returns Null for shapes from files (mesh, heightmap), for empty ones, and for images, which the cameras do not
@@ -46,22 +56,22 @@ export function formOf(geometry: GeometryMessage): Form | null {
       return form('box', () => new BoxGeometry(), vectorOf(geometry.box?.size));
     case GeometryType.sphere: {
       const radius = geometry.sphere?.radius ?? 0;
-      return form('sphere', unitSphere, new Vector3(radius, radius, radius));
+      return round('sphere', new Vector3(radius, radius, radius), unitSphere);
     }
     case GeometryType.ellipsoid:
-      return form('sphere', unitSphere, vectorOf(geometry.ellipsoid?.radii));
+      return round('sphere', vectorOf(geometry.ellipsoid?.radii), unitSphere);
     case GeometryType.cylinder: {
       const { radius = 0, length = 0 } = geometry.cylinder ?? {};
-      return round('cylinder', radius, length, () => new CylinderGeometry(1, 1, 1, sectors));
+      return round('cylinder', new Vector3(radius, radius, length), (count) => new CylinderGeometry(1, 1, 1, count));
     }
     case GeometryType.cone: {
       const { radius = 0, length = 0 } = geometry.cone ?? {};
-      return round('cone', radius, length, () => new ConeGeometry(1, 1, sectors));
+      return round('cone', new Vector3(radius, radius, length), (count) => new ConeGeometry(1, 1, count));
     }
     case GeometryType.capsule: {
       const { radius = 0, length = 0 } = geometry.capsule ?? {};
-      const make = () => new CapsuleGeometry(radius, length, rings / 2, sectors).rotateX(Math.PI / 2);
-      return form(`capsule ${radius} ${length}`, make);
+      const make = (count: number) => new CapsuleGeometry(radius, length, count / 4, count);
+      return round(`capsule ${radius} ${length}`, new Vector3(1, 1, 1), make);
     }
     case GeometryType.plane:
       return plane(geometry);
@@ -74,8 +84,8 @@ export function formOf(geometry: GeometryMessage): Form | null {
   }
 }
 
-function unitSphere(): BufferGeometry {
-  return new SphereGeometry(1, sectors, rings).rotateX(Math.PI / 2);
+function unitSphere(count: number): BufferGeometry {
+  return new SphereGeometry(1, count, count / 2);
 }
 
 function plane(geometry: GeometryMessage): Form {

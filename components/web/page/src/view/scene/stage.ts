@@ -1,9 +1,10 @@
-import { Box3, Color, Matrix4, type Mesh, SRGBColorSpace, Scene, ShaderChunk, Vector3 } from 'three';
+import { Box3, Color, Matrix4, type Mesh, SRGBColorSpace, Scene, ShaderChunk, type Sphere, Vector3 } from 'three';
 
 import { groundGeometry, grayPictureOf } from '../assets/heightmap.ts';
 import { Meshes } from '../assets/meshes.ts';
 import { type MeshPart, mirrored } from '../assets/mesh_parts.ts';
 import { Batches, type Item } from '../draw/batches.ts';
+import { coarserOf } from '../draw/crowd.ts';
 import { backdropOf, isUsual } from '../draw/backdrop.ts';
 import { Lights, shadowRegion } from '../draw/lights.ts';
 import { Materials, type Style, mirroredSky, withAttenuation } from '../draw/materials.ts';
@@ -45,6 +46,8 @@ export class Stage {
   private theme: Theme = 'light';
   private isAsCameras = false;
   private generation = 0;
+  private casters = new Box3();
+  private region: Sphere | null = null;
   private readonly matrix = new Matrix4();
 
   constructor(private readonly options: StageOptions) {
@@ -164,6 +167,7 @@ export class Stage {
     let geometry = this.geometries.get(form.key);
     if (geometry === undefined) {
       geometry = form.make();
+      if (form.makeCoarse) coarserOf.set(geometry, form.makeCoarse.map((make) => make()));
       this.geometries.set(form.key, geometry);
     }
     return geometry;
@@ -227,7 +231,20 @@ export class Stage {
     return ids;
   }
 
-  aimShadows(target: Vector3): void {
+  /// Fits the shadows to what casts them.
+  /// @param hasMoved Whether anything has moved since the last call.
+  /// @return Whether they have to be rendered again.
+  aimShadows(target: Vector3, hasMoved: boolean): boolean {
+    if (hasMoved) this.casters = this.boundsOfCasters();
+    const region = shadowRegion(this.casters, target);
+    const { region: before } = this;
+    if (!hasMoved && (region === before || (region && before && region.equals(before)))) return false;
+    this.region = region;
+    this.lights.aimShadows(region);
+    return true;
+  }
+
+  private boundsOfCasters(): Box3 {
     const casters = new Box3();
     const box = new Box3();
     for (const place of this.batches.places()) {
@@ -235,7 +252,7 @@ export class Stage {
       const matrix = inPlace.isEmpty() ? null : this.places.matrix(place, this.matrix);
       if (matrix) casters.union(box.copy(inPlace).applyMatrix4(matrix));
     }
-    this.lights.aimShadows(shadowRegion(casters, target));
+    return casters;
   }
 
   /// The visible surfaces of an entity with its parts.
