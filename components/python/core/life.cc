@@ -92,6 +92,7 @@ void Life::tell(const std::weak_ptr<Pending>& pending) {
 }
 
 void Life::forgetPast() {
+  failure_.reset();
   for (const std::weak_ptr<Pending>& each : pending_) {
     if (const auto pending = each.lock()) pending->forget();
   }

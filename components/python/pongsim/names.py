@@ -8,5 +8,5 @@ from typing import Iterable
 
 def closest(name: str, known: Iterable[str]) -> str:
     """Returns "; did you mean 'x'?" for the known public name that is most like it, or nothing."""
-    found = difflib.get_close_matches(name, [each for each in known if not each.startswith("_")], n=1)
+    found = difflib.get_close_matches(name, [each for each in known if not each.startswith("_")], n=1, cutoff=0.75)
     return f"; did you mean '{found[0]}'?" if found else ""

@@ -21,6 +21,9 @@ from .system import System
 from .values import Contacts, Pose, RayHit, RayHits
 from .worlds import find
 
+#: The attributes that can be assigned.
+_SETTABLE = ("gravity", "qpos", "qvel", "step_size")
+
 #: What has inserted or removed models, and with which arguments.
 _Edit = tuple[str, "dict[str, Any]"]
 
@@ -96,9 +99,9 @@ class Simulation(_core.Simulation):
         self.close()
 
     def __setattr__(self, name: str, value: Any) -> None:
-        # a misspelt `step_size` would change nothing, silently
-        if type(self) is Simulation and not name.startswith("_") and not hasattr(Simulation, name):
-            raise AttributeError(f"a Simulation has no attribute '{name}'{closest(name, dir(Simulation))}")
+        # a misspelt `step_size` would change nothing, silently; other names are the user's own
+        if not hasattr(type(self), name) and (meant := closest(name, _SETTABLE)):
+            raise AttributeError(f"a Simulation has no attribute '{name}'{meant}")
         super().__setattr__(name, value)
 
     def __reduce__(self) -> tuple[Any, ...]:
