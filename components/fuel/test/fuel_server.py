@@ -346,7 +346,8 @@ class Place:
         self.home = pathlib.Path(self._folder.name)
         self.cache = pathlib.Path(cache) if cache else self.home / ".ignition/fuel"
         self.environment = {name: value for name, value in os.environ.items()
-                            if name not in ("PONGSIM_OFFLINE", "IGN_FUEL_CACHE_PATH") and not name.lower().endswith("_proxy")}
+                            if name not in ("PONGSIM_OFFLINE", "IGN_FUEL_CACHE_PATH",
+                                             "GZ_FUEL_CACHE_PATH") and not name.lower().endswith("_proxy")}
         self.environment |= {"HOME": str(self.home), "PONGSIM_DOMAIN": DOMAIN, "PONGSIM_FUEL_TIMEOUT": "60", "XDG_CACHE_HOME": str(self.home / "xdg")}
         if cache:
             self.environment["IGN_FUEL_CACHE_PATH"] = str(cache)

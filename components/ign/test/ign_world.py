@@ -22,7 +22,7 @@ TUTORIAL = ROOT.parent / "shared/fortress/tutorials/moving_robot.sdf"
 
 DOMAIN = take_domain()
 ENVIRONMENT = {
-    **{name: value for name, value in os.environ.items() if not name.startswith("IGN_")},
+    **{name: value for name, value in os.environ.items() if not name.startswith(("IGN_", "GZ_"))},
     "PONGSIM_DOMAIN": str(DOMAIN),
     # a partition of this process's own
     "IGN_PARTITION": f"pongsim_test_{DOMAIN}_{os.getpid()}",
