@@ -124,19 +124,22 @@ void addJoints(std::vector<Kind>& kinds) {
 }
 
 /// A mast with a sensor that publishes in each step, before a wall.
-Kind sensorKind(const std::string& type, const std::string& system, const std::string& settings) {
-  const std::string sensor = "<sensor name='sensor' type='" + type +
-                             "'><always_on>1</always_on><update_rate>1000</update_rate><topic>readings</topic>" +
-                             settings + "</sensor>";
+/// @param customType The `gz:type` of a custom sensor.
+Kind sensorKind(const std::string& type, const std::string& system, const std::string& settings,
+                const std::string& customType = {}) {
+  const std::string sensor =
+      "<sensor name='sensor' type='" + type + (customType.empty() ? "" : "' gz:type='" + customType) +
+      "'><always_on>1</always_on><update_rate>1000</update_rate><topic>readings</topic>" + settings + "</sensor>";
   const std::string hold = "<joint name='hold' type='fixed'><parent>world</parent><child>link</child>";
   const bool isOnJoint = type == "force_torque";
-  Kind kind = kindOf(
-      type, system +
-                "<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>10</latitude_deg>"
-                "<longitude_deg>20</longitude_deg><elevation>5</elevation></spherical_coordinates>" +
-                model("mast", link("link", isOnJoint ? box() : box() + sensor) + hold + (isOnJoint ? sensor : "") +
-                                  "</joint>") +
-                model("wall", "<static>true</static><pose>2 0 0 0 0 0</pose><link name='link'>" + box() + "</link>"));
+  Kind kind =
+      kindOf(customType.empty() ? type : customType.substr(0, customType.find('/')),
+             system +
+                 "<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>10</latitude_deg>"
+                 "<longitude_deg>20</longitude_deg><elevation>5</elevation></spherical_coordinates>" +
+                 model("mast", link("link", isOnJoint ? box() : box() + sensor) + hold + (isOnJoint ? sensor : "") +
+                                   "</joint>") +
+                 model("wall", "<static>true</static><pose>2 0 0 0 0 0</pose><link name='link'>" + box() + "</link>"));
   kind.publishesInEachStep = true;
   return kind;
 }
@@ -164,6 +167,22 @@ void addSensors(std::vector<Kind>& kinds) {
   kinds.push_back(sensorKind("logical_camera", plugin("logical-camera", "LogicalCamera"),
                              "<logical_camera><near>0.1</near><far>5</far><aspect_ratio>1.5</aspect_ratio>"
                              "<horizontal_fov>1</horizontal_fov></logical_camera>"));
+  kinds.push_back(sensorKind("custom", plugin("dvl", "DopplerVelocityLogSystem"),
+                             "<gz:dvl><arrangement><beam><tilt>0.5</tilt></beam><beam><tilt>0.5</tilt><rotation>2"
+                             "</rotation></beam><beam><tilt>0.5</tilt><rotation>4</rotation></beam></arrangement>"
+                             "<tracking><bottom_mode/></tracking></gz:dvl>",
+                             "dvl"));
+  const fs::path table = projectFolder() / "plugins/sensors/environmental-sensor/water.csv";
+  kinds.push_back(sensorKind("custom",
+                             plugin("environmental-sensor", "EnvironmentalSystem") +
+                                 "<plugin filename='gz-sim-environment-preload-system' "
+                                 "name='gz::sim::systems::EnvironmentPreload'><data>" +
+                                 table.string() +
+                                 "</data><dimensions><time>time</time><ignore_time>true</ignore_time></dimensions>"
+                                 "</plugin>",
+                             "", "environmental_sensor/temperature"));
+  // only while it is where the table has values
+  kinds.back().publishesInEachStep = false;
 }
 
 }  // namespace

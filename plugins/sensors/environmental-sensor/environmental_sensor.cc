@@ -52,14 +52,26 @@ class Probe {
   Probe(const Sensor& sensor, std::array<std::string, 3> names, const Surrounding& surrounding)
       : sensor_(sensor), names_(std::move(names)), surrounding_(surrounding) {}
 
+  /// @return Whether the environment has the quantities.
+  bool isOfUse() {
+    const Environment* environment = surrounding_.environment();
+    if (environment == nullptr) {
+      warnOnce("the world has no environment, which EnvironmentPreload reads");
+      return false;
+    }
+    if (known_ != surrounding_.version()) find(*environment);
+    return isKnown_;
+  }
+
+  /// Call it if `isOfUse`.
   /// @return The values; nothing outside of the environment.
   std::optional<Vector3> read(Time now) {
     const Environment* environment = surrounding_.environment();
-    if (environment == nullptr) return warnOnce("the world has no environment, which EnvironmentPreload reads");
-    if (known_ != surrounding_.version()) find(*environment);
-    if (!isKnown_) return std::nullopt;
     const std::optional<Vector3> place = environment->placeOf(sensor_.pose().position, surrounding_.world());
-    if (!place) return warnOnce("the world needs <spherical_coordinates>");
+    if (!place) {
+      warnOnce("the world needs <spherical_coordinates>");
+      return std::nullopt;
+    }
     Vector3 values = Vector3::Zero();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (!quantities_[i]) continue;
@@ -84,11 +96,9 @@ class Probe {
     }
   }
 
-  std::nullopt_t warnOnce(const std::string& why) {
-    if (!std::exchange(hasWarned_, true)) {
-      surrounding_.log().warning("sensor '" + sensor_.scopedName() + "' measures nothing: " + why);
-    }
-    return std::nullopt;
+  void warnOnce(const std::string& why) {
+    if (std::exchange(hasWarned_, true)) return;
+    surrounding_.log().warning("sensor '" + sensor_.scopedName() + "' measures nothing: " + why);
   }
 
   Sensor sensor_;
@@ -119,10 +129,13 @@ template <class Reading>
 class EnvironmentalSensor : public SensorOf<Reading> {
  public:
   EnvironmentalSensor(const SensorContext& context, std::array<std::string, 3> names, const Surrounding& surrounding)
-      : SensorOf<Reading>(context), probe_(context.sensor, std::move(names), surrounding) {}
+      : SensorOf<Reading>(context), topic_(context.topic), probe_(context.sensor, std::move(names), surrounding) {}
 
   void observe(const StepInfo& info) final { now_ = info.time; }
   bool isReady() final {
+    if (!probe_.isOfUse()) return false;
+    // it would not be published
+    if (!topic_.hasSubscribers()) return true;
     const std::optional<Vector3> values = probe_.read(now_);
     values_ = values.value_or(Vector3::Zero());
     return values.has_value();
@@ -132,6 +145,7 @@ class EnvironmentalSensor : public SensorOf<Reading> {
   const Vector3& values() const { return values_; }
 
  private:
+  const SensorTopic& topic_;
   Probe probe_;
   Time now_{0};
   Vector3 values_ = Vector3::Zero();

@@ -153,6 +153,8 @@ TEST_F(EnvironmentalSensorTest, KnowsPlacesOnTheEarth) {
 TEST_F(EnvironmentalSensorTest, SaysOnceWhyItMeasuresNothing) {
   const auto said = [&](const std::string& content) {
     RunningWorld running(content);
+    std::vector<Double> heard;
+    running.listen(kTopic, heard);
     testing::internal::CaptureStderr();
     running.step(3);
     const std::string text = testing::internal::GetCapturedStderr();

@@ -1,7 +1,6 @@
 #include "pongsim/sensing/environment.hh"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -42,13 +41,10 @@ bool isBefore(const Vector3& a, const Vector3& b) {
 
 /// @return In the frame fixed to the earth [m].
 Vector3 fixedToTheEarth(const GeodeticPosition& place) {
-  constexpr double kRadius = 6378137, kFlattening = 1 / 298.257223563;  // of WGS84
-  constexpr double kSquaredEccentricity = kFlattening * (2 - kFlattening);
-  const auto [sinLatitude, cosLatitude] = math::sinCos(place.latitude);
-  const auto [sinLongitude, cosLongitude] = math::sinCos(place.longitude);
-  const double n = kRadius / std::sqrt(1 - kSquaredEccentricity * sinLatitude * sinLatitude);
-  return {(n + place.altitude) * cosLatitude * cosLongitude, (n + place.altitude) * cosLatitude * sinLongitude,
-          (n * (1 - kSquaredEccentricity) + place.altitude) * sinLatitude};
+  // the plane where the zero meridian meets the equator: east is the earth's y, north its z, and up its x
+  constexpr double kRadius = 6378137;  // of the equator (WGS84)
+  const Vector3 local = TangentPlane({}, 0).positionOf(place);
+  return {kRadius + local.z(), local.x(), local.y()};
 }
 
 }  // namespace
