@@ -9,7 +9,7 @@ namespace pongsim {
 
 namespace {
 
-constexpr double kSlowest = 1e-9;
+constexpr double kSlowestFlight = 1e-9;
 /// How sharply the models before and after the stall are blended [1/rad].
 constexpr double kBlending = 15;
 
@@ -71,7 +71,7 @@ Wrench airframeWrench(const Airframe& airframe, const Vector3& velocity, const V
   const Vector3 right = down.cross(ahead);
   const Vector3 inPlane = velocity - velocity.dot(right) * right;
   const double speed = inPlane.norm();
-  if (!(speed > kSlowest)) return {};
+  if (!(speed > kSlowestFlight)) return {};
   const Vector3 flight = inPlane / speed;
   const Attitude flow{.alpha = math::atan2(flight.dot(down), flight.dot(ahead)),
                       .beta = math::atan2(velocity.dot(right), velocity.dot(ahead))};

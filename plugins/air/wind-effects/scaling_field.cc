@@ -25,7 +25,7 @@ double attributeNumber(const Element& element, const std::string& name, double f
   return value;
 }
 
-double finite(const Element& element, double value) {
+double finiteOf(const Element& element, double value) {
   if (!std::isfinite(value)) refuse(element, "<" + element.name + "> must be a finite number");
   return value;
 }
@@ -50,10 +50,10 @@ ScalingField::Interval ScalingField::intervalOf(const Element& when, char axis) 
 ScalingField::Piece ScalingField::pieceOf(const Element& element) {
   Piece piece;
   if (element.children.empty()) {
-    piece.polynomials[0][3] = finite(element, element.as<double>());
+    piece.polynomials[0][3] = finiteOf(element, element.as<double>());
     return piece;
   }
-  if (const Element* factor = element.child("k")) piece.factor = finite(*factor, factor->as<double>());
+  if (const Element* factor = element.child("k")) piece.factor = finiteOf(*factor, factor->as<double>());
   constexpr std::array<const char*, 3> kNames{"px", "qy", "rz"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Element* given = element.child(kNames[axis]);
@@ -64,7 +64,7 @@ ScalingField::Piece ScalingField::pieceOf(const Element& element) {
       word.name = given->name;
       word.position = given->position;
       if (!(stream >> word.text)) refuse(*given, "<" + given->name + "> needs four numbers");
-      coefficient = finite(word, word.as<double>());
+      coefficient = finiteOf(word, word.as<double>());
     }
   }
   return piece;
