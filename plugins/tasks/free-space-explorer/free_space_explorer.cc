@@ -54,15 +54,23 @@ class FreeSpaceExplorer : public System {
       refuse(context.sdf, "the map has more than a million cells");
     }
     clear();
-    scans_ = context.node.subscribe<ignition::msgs::LaserScan>(cleanTopic(scanTopic_),
-                                                               [this](const auto& scan) { receive(scan); });
+    scans_ = context.node.subscribe<ignition::msgs::LaserScan>(cleanTopic(scanTopic_), [this](const auto& scan) {
+      if (isStarted_ && isUsable(scan)) waiting_ = scan;
+    });
     starts_ = context.node.subscribe<ignition::msgs::Boolean>(
         cleanTopic(startTopic_), [this](const auto& message) { isStarted_ = isStarted_ || message.data(); });
     images_ = context.node.advertise<ignition::msgs::Image>(cleanTopic(imageTopic_));
   }
 
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused || !waiting_) return;
+    explore(*waiting_);
+    waiting_.reset();
+  }
+
   void reset() override {
     isStarted_ = isFinished_ = false;
+    waiting_.reset();
     visited_.clear();
     clear();
   }
@@ -72,6 +80,11 @@ class FreeSpaceExplorer : public System {
     archive(isFinished_);
     archive(visited_);
     archive(grid_);
+    std::string waiting = waiting_ ? waiting_->SerializeAsString() : "";
+    archive(waiting);
+    if (!archive.isGiving()) return;
+    waiting_.reset();
+    if (!waiting.empty()) archive.check(waiting_.emplace().ParseFromString(waiting) && isUsable(*waiting_));
   }
 
  private:
@@ -94,8 +107,7 @@ class FreeSpaceExplorer : public System {
   /// @return The range of the lidar [m]; farther than the map is useless.
   double rangeOf(const Scan& scan) const { return std::min(scan.range_max(), resolution_ * (width_ + height_)); }
 
-  void receive(const Scan& scan) {
-    if (!isStarted_ || !isUsable(scan)) return;
+  void explore(const Scan& scan) {
     mark(scan);
     publish();
     if (isFinished_) return;
@@ -172,6 +184,8 @@ class FreeSpaceExplorer : public System {
   std::optional<Model> model_;
   std::optional<Link> link_;
   OccupancyGrid grid_;
+  /// Of the last step.
+  std::optional<Scan> waiting_;
   bool isStarted_ = false;
   bool isFinished_ = false;
   /// Numbers of the cells to which it has moved.
