@@ -34,12 +34,26 @@ PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& ma
   return found;
 }
 
+namespace {
+
+/// The place where both bodies feel the contact's forces. Bullet has two, apart by the depth; forces at two places
+/// would be a torque on the bodies together, and deep in each other friction would stop them from turning.
+btVector3 placeOf(const btManifoldPoint& point, const btPersistentManifold& manifold) {
+  const btVector3& onA = point.getPositionWorldOnA();
+  const btVector3& onB = point.getPositionWorldOnB();
+  if (manifold.getBody1()->isStaticOrKinematicObject()) return onA;
+  if (manifold.getBody0()->isStaticOrKinematicObject()) return onB;
+  return (onA + onB) * 0.5;
+}
+
+}  // namespace
+
 SolverContact::SolverContact(btManifoldPoint& pointOfManifold, const btPersistentManifold& manifold)
     : point(pointOfManifold),
       a(*btRigidBody::upcast(manifold.getBody0())),
       b(*btRigidBody::upcast(manifold.getBody1())),
-      armA(point.getPositionWorldOnA() - a.getWorldTransform().getOrigin()),
-      armB(point.getPositionWorldOnB() - b.getWorldTransform().getOrigin()),
+      armA(placeOf(point, manifold) - a.getWorldTransform().getOrigin()),
+      armB(placeOf(point, manifold) - b.getWorldTransform().getOrigin()),
       friction(settlePoint(point, manifold)) {
   assert(std::abs(point.m_normalWorldOnB.length2() - 1) < 1e-6);
   if (friction.isDirected) return;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "physics/hulls/hull_store.hh"
 #include "physics/shapes/shape.hh"
@@ -81,6 +82,27 @@ TEST_F(ContactPoint, TakesTorsionOfThePatchOfRadiusAndDepth) {
   point_.setDistance(-0.001);
   // the curvatures add up: 1 / 0.3 + 1 / 0.6 = 1 / 0.2
   EXPECT_DOUBLE_EQ(settle().torsion, 3 * std::numbers::pi / 16 * std::sqrt(0.2 * 0.001));
+}
+
+// joints hold two bodies in each other, which contact pushes apart with all its force
+TEST(SolverContact, KeepsTheAngularMomentumOfBodiesDeepInEachOther) {
+  description::Model model;
+  for (const char* name : {"shell", "middle", "core"})
+    model.links.push_back(test::makeLink(name, {0, 0, 0}, 1, {1, 1, 1}));
+  test::addCollision(model.links[0], description::Box{{0.4, 0.4, 0.4}});
+  test::addCollision(model.links[2], description::Box{{0.1, 0.1, 0.1}});
+  model.name = "model";
+  model.canonicalLink = "shell";
+  model.selfCollide = true;
+  model.joints = {test::makeJoint("a", description::JointType::kFixed, "shell", "middle", Pose(), Pose()),
+                  test::makeJoint("b", description::JointType::kFixed, "middle", "core", Pose(), Pose())};
+  description::World world;
+  world.gravity.setZero();
+  world.models = {model};
+  test::Rig rig(std::move(world));
+  for (world::Slot link = 0; link < 3; ++link) rig.engine.setLinkVelocity(link, {0, 0, 0}, {0, 1, 0});
+  rig.step(1000);
+  for (const world::LinkState& link : rig.state.links) EXPECT_NEAR(link.w_WorldLink.y(), 1, 0.01);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace pongsim::physics {
 /// Projected Gauss-Seidel (sequential impulses): sweeps over the rows of an island, each time giving one row the
 /// impulse that it lacks, within its bounds. Contacts start from 0.85 of their last impulse (warm start). Friction is
 /// bounded by the current normal impulse. Gives the bits of Bullet's btSequentialImpulseConstraintSolver, but for
-/// islands with gearboxes or torsional friction, whose rows Bullet does not have.
+/// islands with gearboxes or torsional friction, whose rows Bullet does not have, and contacts of two moving bodies
+/// that do not just touch (see `SolverContact`).
 ///
 /// Penetration is corrected by a bias, so it adds velocity, at most `kMaxPushAcceleration` times the step. Push
 /// impulses as the direct solver has them start from zero in each step, and fifty sweeps bring them through a few
