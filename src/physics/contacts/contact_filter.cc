@@ -11,10 +11,6 @@ namespace pongsim::physics {
 
 namespace {
 
-bool collidesWithItsOwn(const world::LinkRecord& link, const description::Model& model) {
-  return link.description->selfCollide.value_or(model.selfCollide);
-}
-
 world::Slot slotOf(const btBroadphaseProxy* proxy) {
   const int index = static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex();
   return static_cast<world::Slot>(index);
@@ -75,10 +71,7 @@ bool ContactFilter::mayTouch(world::Slot a, world::Slot b) const {
   const world::LinkRecord& linkA = entities_.links()[a];
   const world::LinkRecord& linkB = entities_.links()[b];
   if (!isMoving(linkA) && !isMoving(linkB)) return false;
-  if (skeletons_[a] == skeletons_[b]) {
-    const description::Model& model = *entities_.models()[skeletons_[a]].description;
-    if (!collidesWithItsOwn(linkA, model) || !collidesWithItsOwn(linkB, model)) return false;
-  }
+  if (skeletons_[a] == skeletons_[b] && !entities_.models()[skeletons_[a]].description->selfCollide) return false;
   return !std::binary_search(jointed_.begin(), jointed_.end(), std::pair<world::Slot, world::Slot>(std::minmax(a, b)));
 }
 

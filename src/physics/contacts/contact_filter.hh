@@ -11,9 +11,9 @@
 namespace pongsim::physics {
 
 /// Decides which links may collide: not two that don't move, not two connected by a joint, and two of the same skeleton
-/// only if its model and the links ask for it (`<self_collide>`). As in Fortress's DART, a link belongs to the skeleton
-/// of its model, unless joints of the file hang it on a link of another model, such as the one in which its own is
-/// nested. Reads a link's slot from its collision object's user index.
+/// only if its model asks for it (`<self_collide>`; that of a link has no effect, as in Fortress). As in Fortress's
+/// DART, a link belongs to the skeleton of its model, unless joints of the file hang it on a link of another model,
+/// such as the one in which its own is nested. Reads a link's slot from its collision object's user index.
 class ContactFilter final : public btOverlapFilterCallback {
  public:
   explicit ContactFilter(const world::Entities& entities);

@@ -44,11 +44,6 @@ TEST(ContactFilter, KeepsLinksOfAModelApartUnlessItAsks) {
     EXPECT_TRUE(ContactFilter(entities).mayTouch(1, 3));
     EXPECT_FALSE(ContactFilter(entities).mayTouch(1, 2)) << "a joint connects them";
   }
-  world.models[1].links[2].selfCollide = false;
-  {
-    const world::Entities entities(world);
-    EXPECT_FALSE(ContactFilter(entities).mayTouch(1, 3));
-  }
 }
 
 // slots: robot's body 0; of the payload nested in it, box 1, lid 2 and a loose stone 3
