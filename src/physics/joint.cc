@@ -144,7 +144,7 @@ void Joint::prepare(double dt) {
 
 void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
   const Limits& limits = axis.limits;
-  axis.motor.active = axis.damper.active = axis.limit.active = false;
+  axis.motor.active = axis.damper.active = false;
   axis.appliedForce = std::clamp(std::exchange(axis.force, 0), -limits.effort, limits.effort);
   axis.appliedAlong = along;
 
@@ -161,13 +161,19 @@ void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
   const bool isHeld = target && std::isinf(limits.effort);
   if (!isHeld) prepareDamper(axis, dt);
 
-  // a limit has a row if this step could reach it; the 1 in `reach` allows for what the forces add to the velocity
+  axis.stops = stopsOf(axis, dt);
+}
+
+Joint::Stops Joint::stopsOf(const Axis& axis, double dt) {
+  const Limits& limits = axis.limits;
+  if (limits.lower == limits.upper) return Stops::kLocked;
+  // the 1 allows for what the forces add to the velocity
   const double reach = (std::abs(axis.velocity) + 1) * 2 * dt;
-  if (axis.position < limits.lower + reach) {
-    axis.limit = {true, limits.lower - axis.position, 0, kInfinity};
-  } else if (axis.position > limits.upper - reach) {
-    axis.limit = {true, limits.upper - axis.position, -kInfinity, 0};
-  }
+  const bool reachesLower = axis.position < limits.lower + reach;
+  const bool reachesUpper = axis.position > limits.upper - reach;
+  if (reachesLower && reachesUpper) return Stops::kBoth;
+  if (reachesLower) return Stops::kLower;
+  return reachesUpper ? Stops::kUpper : Stops::kNone;
 }
 
 /// @return The velocity that the axis is driven at: the commanded one, or the one that takes it to where it mimics the

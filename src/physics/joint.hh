@@ -25,7 +25,7 @@ struct JointEnd {
 };
 
 /// A joint between two bodies as constraint rows: those that hold the bodies together, then for each axis one for
-/// motor, friction and damping, and one for a limit that is near.
+/// motor, friction and damping, and one for each limit that is near.
 ///
 /// All rows act at the child's joint origin. Directions are in the world frame; velocities are the child's relative to
 /// the parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis
@@ -34,10 +34,10 @@ struct JointEnd {
 /// A gearbox couples the rotations of its ends about two axes of a third body with one row, and has no axis to command.
 class Joint final {
  public:
-  /// Maximum number of rows: those of a universal joint with two motors, dampers and limits.
-  static constexpr std::size_t kMostRows = 10;
-  /// Of these, those without bounds.
-  static constexpr std::size_t kMostEquations = 6;
+  /// Maximum number of rows: those of a universal joint with two motors, dampers and two limits of each axis.
+  static constexpr std::size_t kMostRows = 12;
+  /// Maximum number of those without bounds: those of a universal joint with two dampers and both axes locked.
+  static constexpr std::size_t kMostEquations = 8;
 
   /// @param reference For a gearbox: the body that its axes are fixed to.
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
@@ -132,6 +132,8 @@ class Joint final {
     double velocity = 0;
     double compliance = 0;
   };
+  /// The limits of an axis that a step could reach; locked if both are the same.
+  enum class Stops { kNone, kLower, kUpper, kBoth, kLocked };
   /// What a step needs of a `description::JointAxis`.
   struct Limits {
     explicit Limits(const description::JointAxis& axis = {});
@@ -154,7 +156,7 @@ class Joint final {
     btVector3 appliedAlong{0, 0, 0};
     AxisRow motor;
     Damper damper;
-    AxisRow limit;
+    Stops stops = Stops::kNone;
 
     void unwrap(double angle);
   };
@@ -175,6 +177,7 @@ class Joint final {
   void prepare(Axis& axis, const btVector3& along, double dt);
   static std::optional<double> targetOf(const Axis& axis, double dt);
   static void prepareDamper(Axis& axis, double dt);
+  static Stops stopsOf(const Axis& axis, double dt);
   void updateTurn();
   void updateGears();
   btMatrix3x3 gearboxBasis() const;

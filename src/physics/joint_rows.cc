@@ -78,8 +78,10 @@ struct Joint::RowWriter {
 std::size_t Joint::rowCount() const {
   std::size_t count = static_cast<std::size_t>(linearRows_ + angularRows_);
   if (type_ == JointType::kScrew || gearbox_) ++count;
-  for (const Axis& axis : axes_)
-    count += (axis.motor.active ? 1 : 0) + (axis.damper.active ? 1 : 0) + (axis.limit.active ? 1 : 0);
+  for (const Axis& axis : axes_) {
+    count += (axis.motor.active ? 1 : 0) + (axis.damper.active ? 1 : 0);
+    if (axis.stops != Stops::kNone) count += axis.stops == Stops::kBoth ? 2 : 1;
+  }
   return count;
 }
 
@@ -160,10 +162,14 @@ void Joint::addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& al
   };
   if (axis.motor.active) add(axis.motor.velocity, axis.motor.lowestImpulse, axis.motor.highestImpulse);
   if (axis.damper.active) add(axis.damper.velocity, -kInfinity, kInfinity, axis.damper.compliance);
-  if (axis.limit.active) {
-    // reach the limit within this step, but return from beyond it by the fraction `erp`
-    const bool isBeyond = (axis.limit.highestImpulse > 0) == (axis.limit.velocity > 0);
-    add(axis.limit.velocity * rate * (isBeyond ? erp : 1), axis.limit.lowestImpulse, axis.limit.highestImpulse);
+  // reach a limit within this step, but return from beyond it by the fraction `erp`
+  const double toLower = axis.limits.lower - axis.position, toUpper = axis.limits.upper - axis.position;
+  if (axis.stops == Stops::kLocked) add(toLower * rate * erp, -kInfinity, kInfinity);
+  if (axis.stops == Stops::kLower || axis.stops == Stops::kBoth) {
+    add(toLower * rate * (toLower > 0 ? erp : 1), 0, kInfinity);
+  }
+  if (axis.stops == Stops::kUpper || axis.stops == Stops::kBoth) {
+    add(toUpper * rate * (toUpper > 0 ? 1 : erp), -kInfinity, 0);
   }
 }
 

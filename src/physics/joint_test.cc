@@ -107,6 +107,22 @@ TEST(Joint, StopsAtTheLimitsOfATurningAxis) {
   }
 }
 
+// many files lock a joint in this way
+TEST(Joint, HoldsAnAxisWhoseLimitsAreNearEachOther) {
+  for (const double gap : {0.0, 1e-4}) {
+    description::World world = twoLinks(JointType::kRevolute, Vector3::UnitZ());
+    world.models[0].joints[0].axes[0].lower = 0;
+    world.models[0].joints[0].axes[0].upper = gap;
+    Rig rig(std::move(world));
+    for (int i = 0; i < 200; ++i) {
+      rig.engine.addJointForce(0, i / 20 % 2 == 0 ? 50 : -50);
+      rig.step(1);
+      ASSERT_GT(rig.joint(0).position, -1e-5) << gap << " " << i;
+      ASSERT_LT(rig.joint(0).position, gap + 1e-5) << gap << " " << i;
+    }
+  }
+}
+
 TEST(Joint, StopsAFallingSliderAtItsLimit) {
   description::World world = twoLinks(JointType::kPrismatic, Vector3::UnitZ());
   world.gravity.z() = -kGravity;
