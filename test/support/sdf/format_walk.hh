@@ -87,6 +87,7 @@ inline NeededContent neededIn(std::string_view name, std::string_view parent, st
     if (next != "parent")
       needed.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";
     if (next != "child") needed.children += "<child>" + scope + "b</child>";
+    if (next == "gearbox_ratio") needed.children += "<gearbox_reference_body>world</gearbox_reference_body>";
   }
   if (name == "sensor" && attribute != "type") {
     const auto type = kTypeOfSensorPart.find(next);

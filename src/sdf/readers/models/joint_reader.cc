@@ -171,7 +171,12 @@ void readGearbox(const Element& element, JointDraft& draft, Context& context) {
   description::Joint& joint = draft.joint;
   const std::string label = labelOf(joint);
   joint.gearboxRatio = readNumber(element, "gearbox_ratio", joint.gearboxRatio, context);
-  draft.reference = readLinkName(element, "gearbox_reference_body", label, context);
+  // libsdformat loads a file without it; Fortress makes no joint of any gearbox
+  if (const Element* body = element.child("gearbox_reference_body"); body == nullptr || body->text.empty()) {
+    context.diagnostics.warning(element.position, label + " has no <gearbox_reference_body>: the joint is left out");
+  } else {
+    draft.reference = readLinkName(element, "gearbox_reference_body", label, context);
+  }
   for (const JointAxis& axis : joint.axes) warnOfIdleAxis(axis, label, element.position, context);
   if (joint.gearboxRatio == 0) {
     context.diagnostics.error(element.position, label + " has a <gearbox_ratio> of 0",
@@ -224,7 +229,7 @@ void finishGearbox(description::Joint& joint, const JointDraft& draft, const Sco
   const JointDraft::FrameName& given = draft.reference;
   joint.gearboxReference = given.name;
   joint.X_ReferenceJoint = X_ScopeJoint;
-  if (given.name.empty() || given.name == "world") return;
+  if (given.name == "world") return;
   const std::string label = labelOf(joint);
   const std::optional<Scope::ResolvedFrame> reference =
       scope.findOrComplain(given.name, label + " names reference body", given.position, context);
@@ -286,7 +291,10 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
     }
   }
 
-  if (joint.type == JointType::kGearbox) finishGearbox(joint, draft, scope, X_ScopeJoint, context);
+  if (joint.type == JointType::kGearbox) {
+    if (draft.reference.name.empty()) return std::nullopt;
+    finishGearbox(joint, draft, scope, X_ScopeJoint, context);
+  }
   for (std::size_t i = 0; i < joint.axes.size(); ++i) {
     const JointDraft::FrameName& given = draft.axisFrames[i];
     if (given.name.empty()) continue;

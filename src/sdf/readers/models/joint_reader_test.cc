@@ -131,7 +131,7 @@ TEST(Joint, ReadsAGearbox) {
   EXPECT_EQ(joint.gearboxReference, "c");
   EXPECT_EQ(joint.X_ReferenceJoint.position, Vector3(-1, -2, -3));
   const std::pair<const char*, const char*> faults[] = {
-      {"", "error: joint 'j' has no <gearbox_reference_body>"},
+      {"", "warning: joint 'j' has no <gearbox_reference_body>: the joint is left out"},
       {"<gearbox_reference_body>d</gearbox_reference_body>", "error: joint 'j' names reference body 'd', which"},
       {"<gearbox_reference_body>a</gearbox_reference_body>",
        "error: joint 'j' has 'a' both as reference body and as parent or child"},
