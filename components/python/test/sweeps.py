@@ -5,10 +5,12 @@ import pathlib
 import subprocess
 import sys
 
-from waiting import until
-
 import pongsim
 from pongsim import sweep
+
+# programs of tests import this file without conftest.py
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "test/support"))
+from waiting import until  # noqa: E402
 
 PACKAGES = str(pathlib.Path(pongsim.__file__).parents[1])
 
