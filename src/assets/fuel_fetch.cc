@@ -1,19 +1,17 @@
 #include "assets/fuel_fetch.hh"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "base/child_process.hh"
 #include "base/file_descriptor.hh"
 #include "base/shared_library.hh"
 #include "pongsim/files/fuel_address.hh"
@@ -54,43 +52,6 @@ bool fill(const base::FileDescriptor& file, std::string_view text) {
   return ::lseek(file.number(), 0, SEEK_SET) == 0;
 }
 
-std::string readAll(const base::FileDescriptor& file) {
-  std::string text;
-  char part[4096];
-  while (true) {
-    const ssize_t count = ::read(file.number(), part, sizeof part);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(part, static_cast<std::size_t>(count));
-  }
-}
-
-/// Starts a program with default signal handling, because the caller may have blocked the signals that end it.
-/// @return 0, or the value of errno.
-int spawn(const fs::path& program, int input, int output, ::pid_t& child) {
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  ::posix_spawn_file_actions_init(&files);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-  ::sigset_t none, ending;
-  ::sigemptyset(&none);
-  ::sigemptyset(&ending);
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::sigaddset(&ending, signal);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setsigdefault(&attributes, &ending);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string name = program.string(), action = "fetch", option = "-v";
-  // progress is only shown to users who want log messages at all
-  std::string level = logLevel() < LogLevel::kWarning ? "1" : "3";
-  char* const arguments[] = {name.data(), action.data(), option.data(), level.data(), nullptr};
-  const int error = ::posix_spawn(&child, name.c_str(), &files, &attributes, arguments, environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&files);
-  return error;
-}
-
 /// @return The text before the next tab, which is removed with it.
 std::string takeField(std::string_view& line) {
   const std::string_view field = line.substr(0, line.find('\t'));
@@ -122,20 +83,12 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
   std::string text;
   for (const std::string& address : addresses) text += address + "\n";
   const base::FileDescriptor input(::memfd_create("pongsim-fuel", MFD_CLOEXEC));
-  int ends[2] = {-1, -1};
-  const bool isPipe = ::pipe2(ends, O_CLOEXEC) == 0;
-  const base::FileDescriptor output(ends[0]);
-  base::FileDescriptor childOutput(ends[1]);
-  if (!isPipe || input.number() < 0 || !fill(input, text)) return fail(std::strerror(errno));
-  ::pid_t child = 0;
-  if (const int error = spawn(program_, input.number(), childOutput.number(), child); error != 0) {
-    return fail(program_.string() + " can't be run: " + std::strerror(error));
-  }
-  childOutput.close();
-  const std::string answer = readAll(output);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  if (input.number() < 0 || !fill(input, text)) return fail(std::strerror(errno));
+  // progress is only shown to users who want log messages at all
+  const std::string level = logLevel() < LogLevel::kWarning ? "1" : "3";
+  const Outcome<base::ChildResult> done = base::runChild(program_, {"fetch", "-v", level}, input.number());
+  if (!done) return fail(done.error);
+  const auto& [answer, status] = *done.value;
   // one line for each finished address: "ok ADDRESS" or "failed ADDRESS TAB WHY TAB ADVICE"
   fail(WIFSIGNALED(status) ? "the download was interrupted" : "the download ended without a result");
   for (std::string_view rest = answer; !rest.empty();) {
