@@ -53,7 +53,7 @@ Outcome<void> Life::finish() {
   begin();
   Outcome<void> done;
   {
-    const py::gil_scoped_release released;
+    const interpreter::Released released;
     done = simulation_->finish();
   }
   end();
