@@ -41,6 +41,8 @@ export interface Panel {
   element: HTMLElement;
   /// Ends its subscriptions.
   close?(): void;
+  /// Its current settings, with which it can be opened again.
+  settings?(): Record<string, string[]>;
 }
 
 /// Where a panel opens.
@@ -69,6 +71,15 @@ export class Ends {
   end = (): void => {
     for (const end of this.all.splice(0)) end();
   };
+}
+
+/// Settings with these elements, as a world's `<plugin>` would have them.
+export function settingsOf(values: Record<string, string[]>): Settings {
+  const document = new DOMParser().parseFromString('<plugin/>', 'application/xml');
+  for (const [name, texts] of Object.entries(values)) {
+    for (const text of texts) document.documentElement.appendChild(document.createElement(name)).textContent = text;
+  }
+  return document.documentElement;
 }
 
 /// The text of the first element with this name in a panel's settings; undefined if there is none or it is empty.

@@ -1,6 +1,10 @@
 /// The arrangement of panels around the view: docks at its sides and below, corners above it.
+import { Emitter } from '../connection/emitter.ts';
 import type { Context, Panel, PanelKind, Dock, Settings } from './context.ts';
 import { h, iconButton } from './dom.ts';
+import { icon } from './icons.ts';
+import type { LayoutState } from './page_state.ts';
+import { splitter } from './splitter.ts';
 
 const kDocks: [Dock, string][] = [
   ['left', 'Panels on the left'], ['right', 'Panels on the right'], ['bottom', 'Panels below'],
@@ -9,9 +13,18 @@ const kDocks: [Dock, string][] = [
 
 interface OpenPanel {
   kind: PanelKind;
+  title: string;
+  place: Dock;
   frame: HTMLElement;
+  body: HTMLElement;
   panel: Panel;
 }
+
+// where the button of a panel moves it next
+const kNext: Record<Dock, [Dock, string]> = {
+  left: ['bottom', 'below the view'], bottom: ['right', 'to the right'], right: ['corner-right', 'over the view'],
+  'corner-right': ['corner-left', 'to the left over the view'], 'corner-left': ['left', 'to the left'],
+};
 
 export class Layout {
   readonly element: HTMLElement;
@@ -20,6 +33,10 @@ export class Layout {
   private readonly docks = new Map<Dock, HTMLElement>();
   private open: OpenPanel[] = [];
   private nextId = 1;
+  /// Called when panels or sizes may have changed.
+  readonly changed = new Emitter<void>();
+  private readonly sizes: LayoutState['sizes'] = {};
+  private readonly lines = new Map<Dock, HTMLElement>();
   private isReadOnly = false;
   private readonly controls = new Set<HTMLFieldSetElement>();
 
@@ -30,11 +47,47 @@ export class Layout {
     const dock = (place: Dock): HTMLElement => this.docks.get(place)!;
     const corners = h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right'));
     const middle = h('div', { class: 'middle' }, h('div', { class: 'around' }, this.stage, corners));
-    this.element = h('div', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
+    const lines = (['left', 'right', 'bottom'] as const).map((side) => {
+      const line = splitter({
+        side, name: `Size of the ${kDocks.find(([place]) => place === side)![1].toLowerCase()}`,
+        size: () => this.sizes[side] ?? dock(side)[side === 'bottom' ? 'offsetHeight' : 'offsetWidth'],
+        resize: (size) => this.resize(side, size),
+      });
+      this.lines.set(side, line);
+      return line;
+    });
+    this.element = h('div', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'), ...lines);
+    // panels change their settings by these events
+    for (const event of ['change', 'click']) this.element.addEventListener(event, () => this.changed.emit());
+  }
+
+  /// What is open, and where.
+  get state(): LayoutState {
+    const panels = kDocks.flatMap(([dock]) => [...this.docks.get(dock)!.children].map((frame) => {
+      const { kind, title, place, body, panel } = this.open.find((each) => each.frame === frame)!;
+      const settings = panel.settings?.();
+      return { id: kind.id, title, place, ...(body.hidden && { isFolded: true }), ...(settings && { settings }) };
+    }));
+    return { panels, sizes: { ...this.sizes } };
+  }
+
+  private resize(place: Dock, size: number): void {
+    this.sizes[place] = size;
+    this.element.style.setProperty(`--${place}`, `${size}px`);
+    this.changed.emit();
+  }
+
+  /// Sets the sizes of docks; those that are not given have their usual ones.
+  setSizes(sizes: LayoutState['sizes']): void {
+    for (const place of ['left', 'right', 'bottom'] as const) {
+      delete this.sizes[place];
+      this.element.style.removeProperty(`--${place}`);
+      if (sizes[place]) this.resize(place, sizes[place]);
+    }
   }
 
   /// @param title Heading, if not the panel's own.
-  add(kind: PanelKind, context: Context, settings: Settings = null, title = kind.title, place = kind.place): void {
+  add(kind: PanelKind, context: Context, settings: Settings = null, title = kind.title, place = kind.place, isFolded = false): void {
     const panel = kind.open(context, settings);
     const id = `panel-${this.nextId++}`;
     const body = h('div', { class: 'body', id: `${id}-body` });
@@ -46,17 +99,34 @@ export class Layout {
     } else {
       body.append(panel.element);
     }
-    const fold = iconButton('▾', `Fold ${title}`, () => {
-      body.hidden = !body.hidden;
+    const foldTo = (isHidden: boolean): void => {
+      body.hidden = isHidden;
       fold.textContent = body.hidden ? '▸' : '▾';
       fold.setAttribute('aria-expanded', String(!body.hidden));
-    }, { 'aria-expanded': 'true', 'aria-controls': body.id });
+    };
+    const fold = iconButton('▾', `Fold ${title}`, () => foldTo(!body.hidden), { 'aria-expanded': 'true', 'aria-controls': body.id });
+    const move = iconButton(icon('move'), '', () => {
+      opened.place = kNext[opened.place][0];
+      this.docks.get(opened.place)!.append(frame);
+      showMove();
+      this.showDocks();
+      move.focus();
+      frame.scrollIntoView({ block: 'nearest' });
+    });
+    const showMove = (): void => {
+      move.title = `Move ${title} ${kNext[opened.place][1]}`;
+      move.setAttribute('aria-label', move.title);
+    };
     const heading = h('h2', { id }, title);
     const frame = h('section', { class: 'panel', 'aria-labelledby': id, 'data-panel': kind.id, tabindex: -1 },
-      h('header', {}, fold, heading, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
+      h('header', {}, fold, heading, move, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
+    const opened: OpenPanel = { kind, title, place, frame, body, panel };
     this.docks.get(place)!.append(frame);
-    this.open.push({ kind, frame, panel });
+    this.open.push(opened);
+    showMove();
+    foldTo(isFolded);
     this.showDocks();
+    this.changed.emit();
   }
 
   /// Switches off the panels that change the world.
@@ -92,9 +162,14 @@ export class Layout {
     frame.remove();
     this.open = this.open.filter((each) => each !== closed);
     this.showDocks();
+    this.changed.emit();
   }
 
   private showDocks(): void {
-    for (const dock of this.docks.values()) dock.hidden = dock.childElementCount === 0;
+    for (const [place, dock] of this.docks) {
+      dock.hidden = dock.childElementCount === 0;
+      const line = this.lines.get(place);
+      if (line) line.hidden = dock.hidden;
+    }
   }
 }

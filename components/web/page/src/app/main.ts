@@ -5,6 +5,7 @@ import { worldNames } from '../connection/world.ts';
 import { spawnFiles } from '../panels/spawn.ts';
 import { h, setChoices } from './dom.ts';
 import { MessageLog } from './message_log.ts';
+import { readAddress } from './page_state.ts';
 import { Shell } from './shell.ts';
 import { listenToShortcuts } from './shortcuts.ts';
 import { currentTheme } from './theme.ts';
@@ -52,7 +53,10 @@ function show(name: string): void {
 function showWorlds(): void {
   const names = worldNames(connection.services.keys());
   if (names.length === 0) return;
+  const isFirst = worlds.options.length === 0;
   setChoices(worlds, names);
+  const { world } = readAddress(location.hash);
+  if (isFirst && world && names.includes(world)) worlds.value = world;
   worlds.hidden = names.length < 2;
   title.hidden = names.length > 1;
   show(worlds.value);

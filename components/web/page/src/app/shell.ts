@@ -1,19 +1,24 @@
 /// One world on the page: its context, panels and view. Created anew when another world is selected.
 import type { Connection } from '../connection/connection.ts';
 import type { Sixfold } from '../connection/poses.ts';
-import { quaternionOf } from '../connection/poses.ts';
+import { quaternionOf, rollPitchYawOf } from '../connection/poses.ts';
 import type { Message } from '../connection/types.ts';
 import { World } from '../connection/world.ts';
 import { View, type Pose } from '../view/index.ts';
-import { Ends, Selection, type Context } from './context.ts';
+import { Ends, Selection, settingsOf, type Context } from './context.ts';
 import { h } from './dom.ts';
 import { move } from './edits.ts';
-import { guiSettingsOf } from './gui.ts';
+import { guiSettingsOf, type GuiSettings } from './gui.ts';
 import { History } from './history.ts';
 import { Layout } from './layout.ts';
 import type { MessageLog } from './message_log.ts';
+import { readAddress, savedLayout, saveLayout, writeAddress, type LayoutState } from './page_state.ts';
+import { panelFor } from './registry.ts';
 import { currentTheme } from './theme.ts';
 import { toolbar } from './toolbar.ts';
+
+// after the last change [ms]
+const kNoteMs = 400;
 
 export class Shell {
   readonly context: Context;
@@ -21,6 +26,13 @@ export class Shell {
   readonly tools: HTMLElement;
   private readonly ends = new Ends();
   private readonly nothing = h('p', { class: 'nothing', role: 'status', hidden: true }, 'Nothing in this world has a <visual>, so there is nothing to see');
+  private gui: GuiSettings = { panels: [], camera: null };
+  private isOpen = false;
+  private isEnded = false;
+  private noted: ReturnType<typeof setTimeout> | undefined;
+  /// The layout of the world's `<gui>`, if it has been shown, and the one that was saved last.
+  private usual: string | undefined;
+  private saved = '';
   private placed: ((pose: Pose | null) => void) | null = null;
 
   constructor(connection: Connection, name: string, log: MessageLog) {
@@ -45,13 +57,14 @@ export class Shell {
     this.ends.add(world.restarted.on(() => this.context.history.clear()));
     this.ends.add(connection.infoReceived.on(() => this.layout.setReadOnly(connection.isReadOnly)));
     this.layout.setReadOnly(connection.isReadOnly);
-    this.tools = toolbar(this.context, this.layout, this.ends, () => this.showTheme());
+    this.tools = toolbar(this.context, this.layout, this.ends, { themed: () => this.showTheme(), resetLayout: () => this.resetLayout() });
     this.connectView();
     this.showTheme();
     void this.openPanels();
   }
 
   end(): void {
+    this.isEnded = true;
     this.ends.end();
     this.layout.closeAll();
     this.context.view?.dispose();
@@ -86,6 +99,7 @@ export class Shell {
         this.placed?.(pose);
         this.placed = null;
       },
+      onCamera: () => this.noteState(),
       onProblem: (text) => log.add('warning', text),
     });
   }
@@ -106,13 +120,68 @@ export class Shell {
     );
   }
 
-  /// Opens the panels of the world's `<gui>`, and sets the initial viewpoint.
+  /// Opens the panels of the address, else those that were open last, else those of the world's `<gui>`, and sets the
+  /// initial viewpoint.
   private async openPanels(): Promise<void> {
     const { world, view } = this.context;
     const message = await world.ask('gui/info').catch(() => null);
-    const gui = guiSettingsOf(message);
-    for (const { kind, settings, title, place } of gui.panels) this.layout.add(kind, this.context, settings, title, place);
-    if (gui.camera) view?.setCamera(poseOf(gui.camera));
+    if (this.isEnded) return;
+    this.gui = guiSettingsOf(message);
+    const wanted = readAddress(location.hash);
+    const isForThis = wanted.world === undefined || wanted.world === world.name;
+    const layout = (isForThis ? wanted.layout : undefined) ?? savedLayout(world.name);
+    this.showLayout(layout);
+    const camera = (isForThis ? wanted.view : undefined) ?? this.gui.camera;
+    if (camera) view?.setCamera(poseOf(camera));
+    this.ends.add(this.layout.changed.on(() => this.noteState()), () => clearTimeout(this.noted));
+    await this.noteOpened(layout === null);
+    this.isOpen = true;
+  }
+
+  /// Shows a layout; null: that of the world's `<gui>`.
+  private showLayout(state: LayoutState | null): void {
+    this.layout.closeAll();
+    this.layout.setSizes(state?.sizes ?? {});
+    if (!state) {
+      for (const { kind, settings, title, place } of this.gui.panels) this.layout.add(kind, this.context, settings, title, place);
+      return;
+    }
+    for (const { id, title, place, isFolded, settings } of state.panels) {
+      const kind = panelFor(id);
+      if (kind) this.layout.add(kind, this.context, settings ? settingsOf(settings) : null, title, place, isFolded);
+    }
+  }
+
+  /// Forgets the saved layout.
+  resetLayout(): void {
+    this.showLayout(null);
+    saveLayout(this.context.world.name, null);
+    void this.noteOpened(true);
+  }
+
+  /// @param isUsual Whether the layout is that of the world's `<gui>`.
+  private async noteOpened(isUsual: boolean): Promise<void> {
+    // panels have their topics in the next microtask
+    await Promise.resolve();
+    this.saved = JSON.stringify(this.layout.state);
+    if (isUsual) this.usual = this.saved;
+  }
+
+  /// Saves the layout and puts it and the viewpoint into the address, once nothing has changed for a while.
+  private noteState(): void {
+    if (!this.isOpen) return;
+    clearTimeout(this.noted);
+    this.noted = setTimeout(() => {
+      const { world, view } = this.context;
+      const layout = this.layout.state;
+      const text = JSON.stringify(layout);
+      // only what the user has changed is saved, so that a world that asks for others gets them
+      if (text !== this.saved) saveLayout(world.name, text === this.usual ? null : layout);
+      this.saved = text;
+      const camera = view?.camera();
+      const pose = camera && ([...camera.position, ...rollPitchYawOf(camera.orientation)] as Sixfold);
+      window.history.replaceState(null, '', writeAddress({ world: world.name, ...(pose && { view: pose }), layout }));
+    }, kNoteMs);
   }
 
   private choosePlace(message: Message): Promise<Pose | null> {

@@ -45,9 +45,9 @@ function menu(title: string, items: Item[] | (() => [name: string, act: (() => v
   return details;
 }
 
-/// @param themed Called with the theme that the user has selected.
 /// @param ends Gets what ends with the world.
-export function toolbar(context: Context, layout: Layout, ends: Ends, themed: () => void): HTMLElement {
+/// @param shell What is called when the user has selected another theme, and to return to the world's own panels.
+export function toolbar(context: Context, layout: Layout, ends: Ends, shell: { themed(): void; resetLayout(): void }): HTMLElement {
   const { view, history, connection } = context;
   const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
   const toolButtons = tools.map(([tool, name]) => iconButton(icon(tool), name, () => view?.setTool(tool), { disabled: !view, 'data-tool': tool }));
@@ -79,10 +79,10 @@ export function toolbar(context: Context, layout: Layout, ends: Ends, themed: ()
     ]),
     iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context), { disabled: !view }),
     film,
-    menu('Panels', kPanels.map(({ id, title }) => [title, () => openPanel(id)])),
+    menu('Panels', [...kPanels.map(({ id, title }): Item => [title, () => openPanel(id)]), ['As the world asks for', () => shell.resetLayout()]]),
     iconButton(icon('theme'), 'Dark or light', () => {
       setTheme(currentTheme() === 'dark' ? 'light' : 'dark');
-      themed();
+      shell.themed();
     }),
     iconButton('?', 'Keys', showHelp));
 }

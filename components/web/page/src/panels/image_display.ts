@@ -2,7 +2,7 @@
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { imagePixels } from './image_pixels.ts';
-import { topicChooser } from './topics.ts';
+import { topicChooser, topicSetting } from './topics.ts';
 
 export function openImageDisplay(context: Context, settings: Settings): Panel {
   const { connection } = context;
@@ -29,5 +29,5 @@ export function openImageDisplay(context: Context, settings: Settings): Panel {
   };
   const select = topicChooser(context, ['ignition.msgs.Image'], setting(settings, 'topic'), ends, listen);
   ends.add(() => stop());
-  return { element: h('div', { class: 'image-display' }, select, canvas, note), close: ends.end };
+  return { element: h('div', { class: 'image-display' }, select, canvas, note), close: ends.end, settings: () => topicSetting(select) };
 }

@@ -3,7 +3,7 @@ import { Ends, setting, type Context, type Panel, type Settings } from '../app/c
 import { h, numberField, setChoices } from '../app/dom.ts';
 import { kJointNames, type Entity } from '../connection/entities.ts';
 import type { Message } from '../connection/types.ts';
-import { topicsOf } from './topics.ts';
+import { topicSetting, topicsOf } from './topics.ts';
 
 /// The range of a joint's slider: its limits; without limits one turn, or 1 m, in each direction.
 export function rangeOf(kind: string, axis: Message | undefined): [number, number] {
@@ -89,7 +89,10 @@ export function openJointPositions(context: Context, settings: Settings): Panel 
     if (model) rows.replaceChildren(...joints.map((joint) => row(model.name, joint)));
     else rows.replaceChildren(h('p', { class: 'hint' }, 'No model has joints that move'));
   };
-  select.addEventListener('change', show);
+  select.addEventListener('change', () => {
+    select.dataset.chosen = 'yes';
+    show();
+  });
   ends.add(connection.channelsChanged.on(() => shownTopics.forEach((update) => update())), world.changed.on(show), selection.changed.on((id) => {
     const entity = world.entities.get(id);
     if (entity) select.value = world.entities.scopedName(world.entities.topOf(entity)) || select.value;
@@ -100,7 +103,8 @@ export function openJointPositions(context: Context, settings: Settings): Panel 
   const wanted = setting(settings, 'model_name');
   if (wanted && [...select.options].some(({ value }) => value === wanted)) {
     select.value = wanted;
+    select.dataset.chosen = 'yes';
     show();
   }
-  return { element: h('div', { class: 'joints' }, select, rows), close: ends.end };
+  return { element: h('div', { class: 'joints' }, select, rows), close: ends.end, settings: () => topicSetting(select, 'model_name') };
 }

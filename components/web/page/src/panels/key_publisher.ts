@@ -58,5 +58,5 @@ export function openKeyPublisher(context: Context, settings: Settings): Panel {
     h('div', { class: 'row' }, isOn, h('label', { for: 'send-keys' }, 'Send keys pressed in the page')),
     labelled('Topic', topic),
     h('p', {}, 'Last key: ', last));
-  return { element, close: ends.end };
+  return { element, close: ends.end, settings: () => ({ topic: [topic.value] }) };
 }

@@ -2,7 +2,7 @@
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, shortNumber } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
-import { topicChooser } from './topics.ts';
+import { topicChooser, topicSetting } from './topics.ts';
 
 /// Positions of the hits of one ring, x forward and y left [m]; beams without a hit are omitted.
 export function hitsOf(scan: Message, ring: number): [number, number][] {
@@ -79,5 +79,5 @@ export function openLidarPlot(context: Context, settings: Settings): Panel {
   });
   const element = h('div', { class: 'lidar-plot' }, select, canvas, note,
     h('div', { class: 'row' }, inView, h('label', { for: 'lidar-in-view' }, 'Rays in the 3D view')));
-  return { element, close: ends.end };
+  return { element, close: ends.end, settings: () => topicSetting(select) };
 }

@@ -23,6 +23,12 @@ class Plotted extends Curve {
   stop = (): void => {};
 }
 
+/// The topics and paths of the curves in settings: `<curve>/topic field.path</curve>`.
+function curvesIn(settings: Settings): [topic: string, path: string][] {
+  const names = [...(settings?.querySelectorAll('curve') ?? [])].map((curve) => curve.textContent ?? '');
+  return names.map((name) => [name.slice(0, name.lastIndexOf(' ')), name.slice(name.lastIndexOf(' ') + 1)]);
+}
+
 export function openPlot(context: Context, settings: Settings): Panel {
   const { connection, log } = context;
   const ends = new Ends();
@@ -31,7 +37,7 @@ export function openPlot(context: Context, settings: Settings): Panel {
     const value = values[i];
     output.textContent = value === undefined || value === null ? '' : shortNumber(value);
   }));
-  const span = numberField(30, { min: 1, class: 'short', title: 'Seconds shown' });
+  const span = numberField(Number(setting(settings, 'seconds')) || 30, { min: 1, class: 'short', title: 'Seconds shown' });
   const isPaused = h('input', { type: 'checkbox', id: 'plot-paused' });
   let isScheduled = false;
   const draw = (): void => {
@@ -85,7 +91,8 @@ export function openPlot(context: Context, settings: Settings): Panel {
   const element = h('div', { class: 'plot' }, fieldChooser(context, settings, ends, plot), chart.element, legend, thinned,
     h('div', { class: 'row' }, isPaused, h('label', { for: 'plot-paused' }, 'Paused'), labelled('Seconds', span), save));
   ends.add(() => curves.forEach((curve) => curve.stop()), () => chart.end());
-  return { element, close: ends.end };
+  for (const [topic, path] of curvesIn(settings)) plot(topic, path);
+  return { element, close: ends.end, settings: () => ({ curve: curves.map(({ name }) => name), seconds: [span.value] }) };
 }
 
 /// Lists to choose a topic, and a number in its messages.

@@ -1,7 +1,7 @@
 /// Shows the points of a depth camera or lidar in the 3D view.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h } from '../app/dom.ts';
-import { topicChooser } from './topics.ts';
+import { topicChooser, topicSetting } from './topics.ts';
 
 export function openPointCloud(context: Context, settings: Settings): Panel {
   const { connection, view } = context;
@@ -26,5 +26,5 @@ export function openPointCloud(context: Context, settings: Settings): Panel {
     stop();
     if (shown) view?.setPointCloud(shown, null);
   });
-  return { element: h('div', { class: 'point-cloud' }, select, note), close: ends.end };
+  return { element: h('div', { class: 'point-cloud' }, select, note), close: ends.end, settings: () => topicSetting(select, 'point_cloud_topic') };
 }

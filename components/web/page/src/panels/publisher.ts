@@ -52,5 +52,5 @@ export function openPublisher(context: Context, settings: Settings): Panel {
   ends.add(() => clearInterval(timer));
   const element = h('div', { class: 'publisher' }, labelled('Topic', topic), labelled('Type', type), list, place,
     h('div', { class: 'row' }, labelled('Rate [Hz]', rate), button), note);
-  return { element, close: ends.end };
+  return { element, close: ends.end, settings: () => ({ topic: [topic.value], msg_type: [type.value] }) };
 }

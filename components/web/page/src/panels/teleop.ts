@@ -74,5 +74,5 @@ export function openTeleop(context: Context, settings: Settings): Panel {
       button('→', 'Turn right', 0, -1), button('↓', 'Back', -1, 0))),
     forwardRow, turnRow, labelled('Topic', topic), topics,
     h('div', { class: 'row wrap' }, labelled('Max [m/s]', limits.forward), labelled('Max [rad/s]', limits.turn)));
-  return { element, close: ends.end };
+  return { element, close: ends.end, settings: () => ({ topic: [topic.value] }) };
 }

@@ -2,7 +2,7 @@
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, numberField, shortNumber } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
-import { topicChooser } from './topics.ts';
+import { topicChooser, topicSetting } from './topics.ts';
 
 const kLongest = 20_000;
 // time between two updates of the text, and of the rate
@@ -69,5 +69,5 @@ export function openTopicEcho(context: Context, settings: Settings): Panel {
   ends.add(() => stop(), () => clearTimeout(timer));
   const element = h('div', { class: 'topic-echo' }, select,
     h('div', { class: 'row' }, isPaused, h('label', { for: isPaused.id }, 'Paused'), most, ' kept', rate), output);
-  return { element, close: ends.end };
+  return { element, close: ends.end, settings: () => topicSetting(select) };
 }

@@ -33,9 +33,19 @@ export function topicChooser(
     current = select.value;
     chosen(current);
   };
-  select.addEventListener('change', update);
+  if (current) select.dataset.chosen = 'yes';
+  select.addEventListener('change', () => {
+    select.dataset.chosen = 'yes';
+    update();
+  });
   ends.add(context.connection.channelsChanged.on(update));
   // after the caller has finished the panel, because it calls `chosen`
   queueMicrotask(update);
   return select;
+}
+
+/// The settings of a panel with this list: its topic, if the user or the world has chosen it.
+/// @param name Of the element.
+export function topicSetting(select: HTMLSelectElement, name = 'topic'): Record<string, string[]> {
+  return select.dataset.chosen ? { [name]: [select.value] } : {};
 }

@@ -35,6 +35,8 @@ export interface ViewOptions {
   onMove?(entity: number, pose: Pose, during: boolean): void | Promise<unknown>;
   /// The user has chosen a pose for the model of `showGhost`; null: cancelled.
   onPlace?(pose: Pose | null): void;
+  /// The viewpoint has changed.
+  onCamera?(): void;
   /// Something can't be shown; the text is for the user.
   onProblem?(text: string): void;
 }
@@ -48,7 +50,10 @@ const restTime = 300;
 export class View {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
-  private readonly orbitCamera = new OrbitCamera(() => this.invalidate());
+  private readonly orbitCamera = new OrbitCamera(() => {
+    this.options?.onCamera?.();
+    this.invalidate();
+  });
   private readonly shown = new Shown();
   private readonly stage: Stage;
   private readonly marked: Marked;
