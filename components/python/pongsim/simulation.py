@@ -36,7 +36,8 @@ class Simulation(_core.Simulation):
 
     Use it on one thread at a time. Several simulations can run on several threads at once, since stepping releases the
     GIL. It ends with `close`, at the end of a `with` block, or when it is deleted. Models, links, joints and sensors do
-    not keep it alive, and raise Gone afterwards.
+    not keep it alive, and raise Gone afterwards. It can be pickled and copied: by its file or text, options, systems in
+    Python, what `insert` and `remove` have done, and its state.
     """
 
     def __init__(
@@ -68,8 +69,8 @@ class Simulation(_core.Simulation):
         network: share topics and services with other processes, such as `pongsim topic`; otherwise they stay within this
             simulation. `domain` and `interface` are like PONGSIM_DOMAIN and PONGSIM_NETWORK.
 
-        Raises LoadError with file, line and column if the world can't run; warns with WorldWarning about what is left
-        out.
+        Raises LoadError with file, line and column if the world can't run, RuntimeError if the threads can't start; warns with
+        WorldWarning about what is left out.
         """
         self._options = {
             "load_systems": load_systems, "strict": strict, "threads": threads, "levels": levels, "network": network,
@@ -294,7 +295,7 @@ class Simulation(_core.Simulation):
         origin, direction: x, y, z in the world frame [m]; the direction may have any length.
         max_distance: [m]
         visibility_mask: visuals are visible that share a bit with their `<visibility_flags>`.
-        Raises ValueError for numbers that are not finite.
+        Raises ValueError for numbers that are not finite, and RuntimeError if Embree is not installed.
         """
         hits = self.raycasts(
             numbers(origin, (3,), "an origin")[None], numbers(direction, (3,), "a direction")[None], max_distance,
@@ -344,7 +345,8 @@ class Simulation(_core.Simulation):
 
         type: its type, such as "Twist"; not needed for objects of a message class, or if the topic already exists in this
             simulation.
-        Raises ValueError and TypeError that name the wrong field.
+        Raises ValueError and TypeError that name the wrong field, and ValueError if the topic has another type here or a
+        subscriber would refuse a number, such as NaN in a command.
         """
         self._publish(topic, message, type)
 

@@ -40,6 +40,9 @@ PROGRAMS = {
     "resets": "sim = pongsim.Simulation(BALL, systems=[Counts()]); forever(sim.reset); time.sleep(0.01); started.set()",
     "saving": "class Saves(Counts):\n    def save(self): return sum(range(1000))\n    def restore(self, state): pass\n"
               "sim = pongsim.Simulation(BALL, systems=[Saves()]); forever(sim.save)",
+    "environments": "import pongsim.gym as gym\nenvs = gym.VectorEnv(gym.wall_avoid(), 4, threads=2)\n"
+                    "for sim in envs.simulations: sim.add(Counts())\n"
+                    "envs.reset(seed=1); forever(lambda: envs.step(envs.action_space.sample()))",
     "an error in the end": "sim = pongsim.Simulation(BALL, systems=[Counts()]); forever(sim.step); started.wait(60); sys.exit(3)",
 }
 

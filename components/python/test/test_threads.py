@@ -1,6 +1,7 @@
 """Several simulations on threads, one on several."""
 
 import concurrent.futures
+import os
 import subprocess
 import sys
 import threading
@@ -99,6 +100,7 @@ def test_dropping_what_listens_while_another_thread_steps():
     assert count == 2000
 
 
+@pytest.mark.skipif("san.so" in os.environ.get("LD_PRELOAD", ""), reason="a sanitizer needs all address space")
 def test_threads_that_cannot_start_are_an_exception():
     """The memory for their stacks is not there."""
     code = f"""
