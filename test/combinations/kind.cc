@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "support/regex.hh"
 
@@ -91,7 +92,12 @@ Kind kindOf(const std::string& name, const std::string& content) {
 
 Kind kindFrom(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  // a table lies beside the example that reads it
+  constexpr std::string_view kTable = "<data>";
+  if (const std::size_t at = text.find(kTable); at != std::string::npos) {
+    text.insert(at + kTable.size(), file.parent_path().string() + "/");
+  }
   Kind kind = split(file.stem().string(), text);
   const Regex command(R"re(pongsim topic -t (\S+) -m (\S+) -p "([^"]*)")re");
   for (const Regex::Match& match : command.allIn(text)) kind.commands.push_back({match[1], match[2], match[3]});
