@@ -4,7 +4,7 @@ import ctypes.util
 
 import numpy as np
 import pytest
-from conftest import LIDAR
+from conftest import LIDAR, PROJECT
 
 import pongsim
 
@@ -113,6 +113,25 @@ def test_the_tutorials_robot():
         assert np.isfinite(laser.ranges).any()
         assert imu.message()["linear_acceleration"]["z"] == pytest.approx(9.8, abs=0.5)
         assert imu.message(pongsim.messages.IMU).linear_acceleration.z == pytest.approx(9.8, abs=0.5)
+
+
+@pytest.mark.parametrize(
+    ("world", "field", "value"),
+    [
+        ("air-speed/air_speed.sdf", "diff_pressure", 1.225 / 2 * 25**2),
+        ("dvl/dvl.sdf", "velocity.mean.x", 1.5),
+        ("environment-preload/environment_preload.sdf", "data", 14.9),
+        ("environmental-sensor/environmental_sensor.sdf", "x", -1.5),
+    ],
+)
+def test_sensors_of_later_releases(world, field, value):
+    with pongsim.Simulation(PROJECT / "plugins/sensors" / world) as sim:
+        sensor = sim.sensor(sim.sensor_names[0])
+        sim.run_until(1)
+        reading = sensor.message()
+        for name in field.split("."):
+            reading = reading[name]
+        assert reading == pytest.approx(value, rel=0.01)
 
 
 def test_what_a_sensor_does_not_have():

@@ -73,5 +73,23 @@ TEST(MessageTypes, ThatDebianLacksHasTheNumbersOfItsFields) {
   EXPECT_EQ(message->SerializeAsString(), expected);
 }
 
+// as gz-msgs 11 has them
+TEST(MessageTypes, OfLaterReleasesHaveTheNumbersOfTheirFields) {
+  const auto bytesOf = [](const char* type, const char* text) {
+    const MessagePointer message = newMessage(type);
+    EXPECT_FALSE(parseMessage(text, *message)) << type;
+    return message->SerializeAsString();
+  };
+  EXPECT_EQ(bytesOf("gz.msgs.AirSpeed", "header {} diff_pressure: 2 temperature: 2"),
+            std::string("\x0a\0\x11\0\0\0\0\0\0\0\x40\x19\0\0\0\0\0\0\0\x40", 20));
+  EXPECT_EQ(bytesOf("DVLVelocityTracking",
+                    "header {} type: DVL_TYPE_PHASED_ARRAY target {type: DVL_TARGET_WATER_MASS range {} position {}} "
+                    "velocity {reference: DVL_REFERENCE_SHIP mean {}} beams {id: 1 velocity {} range {} locked: true} "
+                    "status: 1"),
+            std::string("\x0a\0\x10\x02\x1a\x06\x08\x02\x12\0\x1a\0\x22\x04\x08\x02\x12\0"
+                        "\x2a\x08\x08\x01\x12\0\x1a\0\x30\x01\x30\x01",
+                        30));
+}
+
 }  // namespace
 }  // namespace pongsim
