@@ -25,7 +25,8 @@ class LedPlugin : public System {
     declaration.parameter("led_group_name", &group_, "", "part of the topic").otherwise("led_M");
     declaration
         .element("led",
-                 "an LED, with the attribute `name`: `light_name` (as model::link::light) and the `color` and "
+                 "an LED, with the attribute `name`: `light_name` (such as model::link::light, or its end) and the "
+                 "`color` and "
                  "`intensity` of its `default_state` (1 1 1 1 and 0); `visual_name` has no effect; may be repeated")
         .required();
     declaration
@@ -149,13 +150,14 @@ class LedPlugin : public System {
   Publisher changes_;
 };
 
-/// @return The light with that scoped name in a model or the models in it.
+/// @return The first light with that scoped name, or with a name that ends so, in a model or the models in it.
 const ignition::msgs::Light* lightIn(const ignition::msgs::Model& model, const std::string& prefix,
                                      const std::string& wanted) {
   const std::string name = prefix + model.name() + "::";
   for (const ignition::msgs::Link& link : model.link()) {
     for (const ignition::msgs::Light& light : link.light()) {
-      if (name + link.name() + "::" + light.name() == wanted) return &light;
+      // as in Gazebo, the name may begin anywhere in the tree
+      if (("::" + name + link.name() + "::" + light.name()).ends_with("::" + wanted)) return &light;
     }
   }
   for (const ignition::msgs::Model& inner : model.model()) {
@@ -172,7 +174,8 @@ void LedPlugin::findLeds(const SystemContext& context) {
     if (const Element* rest = element->child("default_state")) led.atRest = glowIn(*rest, led.atRest);
     if (const Element* name = element->child("light_name")) {
       for (const ignition::msgs::Model& model : scene.model()) {
-        if (const ignition::msgs::Light* light = lightIn(model, "", name->text)) led.light = *light;
+        const ignition::msgs::Light* light = lightIn(model, "", name->text);
+        if (light != nullptr && !led.light) led.light = *light;
       }
       for (const ignition::msgs::Light& light : scene.light()) {
         if (light.name() == name->text) led.light = light;

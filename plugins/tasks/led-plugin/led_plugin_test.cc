@@ -30,7 +30,7 @@ std::string led(const std::string& name, const std::string& content) {
 const std::string kLeds = led("r",
                               "<light_name>lamp::post::red</light_name><default_state><color>0.3 0 0 1</color>"
                               "<intensity>0.1</intensity></default_state>") +
-                          led("g", "<light_name>lamp::post::green</light_name>");
+                          led("g", "<light_name>post::green</light_name>");
 const std::string kModes =
     "<mode name='go'><active_leds><led>g</led></active_leds><step always_on='true'><color>0 1 0 1</color>"
     "<intensity>2</intensity></step></mode><mode name='Alarm'><step><color>1 0 0 1</color><on_time>0.01</on_time>"
