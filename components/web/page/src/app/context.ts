@@ -31,7 +31,8 @@ export interface Context {
   /// @return Whether it succeeded.
   attempt(what: string, work: Promise<unknown>): Promise<boolean>;
   /// Lets the user choose a pose for a model or light in the view; null if cancelled, or if there is no view.
-  choosePlace(message: Record<string, unknown>): Promise<import('../view/index.ts').Pose | null>;
+  /// @param hint What the user is told.
+  choosePlace(message: Record<string, unknown>, hint?: string): Promise<import('../view/index.ts').Pose | null>;
 }
 
 /// The settings of a panel in a world's `<gui>`: the elements in its `<plugin>`.

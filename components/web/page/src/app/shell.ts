@@ -51,7 +51,7 @@ export class Shell {
           return false;
         }
       },
-      choosePlace: (message) => this.choosePlace(message),
+      choosePlace: (message, hint) => this.choosePlace(message, hint),
     };
     this.context.view = this.makeView();
     this.ends.add(world.restarted.on(() => this.context.history.clear()));
@@ -184,11 +184,11 @@ export class Shell {
     }, kNoteMs);
   }
 
-  private choosePlace(message: Message): Promise<Pose | null> {
+  private choosePlace(message: Message, hint = 'Click in the view to place it, or move it by arrows and press Enter; Escape cancels'): Promise<Pose | null> {
     const { view, log } = this.context;
     if (!view) return Promise.resolve({ position: [0, 0, 0.5], orientation: [0, 0, 0, 1] });
     this.placed?.(null);
-    log.add('info', 'Click in the view to place it, or move it by arrows and press Enter; Escape cancels');
+    log.add('info', hint);
     view.showGhost(message);
     return new Promise((resolve) => (this.placed = resolve));
   }

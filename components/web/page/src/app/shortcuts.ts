@@ -21,6 +21,7 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: 'r', what: 'Rotate it', act: ({ view }) => view?.setTool('turn') },
   { keys: 'f', what: 'Look at the selection', act: ({ view, selection }) => selection.id !== null && view?.lookAt(selection.id) },
   { keys: 'h', what: 'Reset the view', act: ({ view }) => view?.lookFrom('home') },
+  { keys: 'm', what: 'Measure a distance', act: () => document.getElementById('measure')?.click() },
   { keys: 'delete', what: 'Remove the selected model or light', act: (context) => void removeChosen(context) },
   { keys: 'ctrl+z', what: 'Undo the last change of the world', act: (context) => void undo(context) },
   { keys: 'ctrl+shift+z', what: 'Redo it', act: (context) => void undo(context, true) },

@@ -7,6 +7,7 @@ import { saveScreenshot, toggleVideo } from './capture.ts';
 import type { Context, Ends } from './context.ts';
 import { h, iconButton } from './dom.ts';
 import { icon, type Icon } from './icons.ts';
+import { measure } from './measure.ts';
 import type { Layout } from './layout.ts';
 import { kPanels } from './registry.ts';
 import { showHelp } from './shortcuts.ts';
@@ -70,6 +71,7 @@ export function toolbar(context: Context, layout: Layout, ends: Ends, shell: { t
   };
   return h('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Tools' },
     ...toolButtons,
+    iconButton(icon('ruler'), 'Measure', () => void measure(context, layout.stage), { disabled: !view, id: 'measure' }),
     menu('Add', () => kShapeNames.map((shape) => [shape, connection.isReadOnly ? null : () => void spawnShape(context, shape)])),
     menu('Edit', () => [
       [`Undo ${history.nextUndo ?? ''}`.trim(), history.nextUndo ? () => void undo(context) : null],

@@ -24,7 +24,7 @@ export function keyNumber(key: string): number | undefined {
 export function isTyping(target: EventTarget | null, key: string): boolean {
   const element = target as HTMLElement | null;
   if (!element?.closest) return false;
-  if (element.closest('textarea, select, [contenteditable], dialog')) return true;
+  if (element.closest('textarea, select, [contenteditable], dialog[open]')) return true;
   if (element.closest('[role="tree"]')) return key.startsWith('Arrow') || key === 'Enter';
   const input = element.closest('input');
   if (input) return !['checkbox', 'radio', 'button'].includes(input.type) || key === ' ';

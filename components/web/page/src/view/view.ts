@@ -8,9 +8,10 @@ import { hasWebGl, makeRenderer } from './draw/renderer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, SceneMessage } from './messages.ts';
 import { Cloud } from './overlays/cloud.ts';
-import { Contacts } from './overlays/contacts.ts';
+import { ContactsByKey } from './overlays/contacts.ts';
 import { type Theme, gridOf } from './overlays/grid.ts';
 import { Marked } from './overlays/marked.ts';
+import { MeasureLine } from './overlays/measure_line.ts';
 import { Outline } from './overlays/outline.ts';
 import { Scan } from './overlays/scan.ts';
 import { Sensed } from './overlays/sensed.ts';
@@ -21,6 +22,7 @@ import { type Overlay, Shown } from './scene/shown.ts';
 import { Stage } from './scene/stage.ts';
 import { Drag } from './tools/drag.ts';
 import { Handles, type Tool } from './tools/handles.ts';
+import { pictureOf } from './tools/picture.ts';
 import { Placing } from './tools/placing.ts';
 import { Recorder } from './tools/recorder.ts';
 
@@ -59,9 +61,10 @@ export class View {
   private readonly marked: Marked;
   private readonly outline = new Outline();
   private readonly silhouette = new Silhouette();
+  private readonly measure = new MeasureLine();
   private readonly scans: Sensed;
   private readonly clouds: Sensed;
-  private readonly contacts = new Map<string, Contacts>();
+  private readonly contacts = new ContactsByKey();
   private readonly trails = new Map<number, Trail>();
   private readonly handles: Handles;
   private readonly drag: Drag;
@@ -130,7 +133,7 @@ export class View {
       hover: (x, y) => this.placing.isActive && this.placing.hover(x, y),
     });
     this.orbitCamera.controls.connect(this.canvas);
-    const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object];
+    const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object, this.measure.group, this.contacts.group];
     this.stage.root.add(this.grid, ...over);
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(parent);
@@ -332,7 +335,7 @@ export class View {
   setOverlay(overlay: Overlay, on: boolean, entity?: number): void {
     this.shown.set(overlay, on, entity);
     if (overlay === 'wireframe' || overlay === 'transparent') this.stage.restyle();
-    else if (overlay === 'contacts' && !on) for (const key of [...this.contacts.keys()]) this.setContacts(key, null);
+    else if (overlay === 'contacts' && !on) this.contacts.clear();
     else this.marked.rebuild();
     this.sceneChanged();
   }
@@ -382,19 +385,7 @@ export class View {
 
   /// Shows an ignition.msgs.Contacts under a key; null removes it.
   setContacts(key: string, contacts: Message | null): void {
-    let shape = this.contacts.get(key);
-    if (contacts === null) {
-      if (shape) this.stage.root.remove(shape.object);
-      shape?.dispose();
-      this.contacts.delete(key);
-    } else {
-      if (shape === undefined) {
-        shape = new Contacts();
-        this.contacts.set(key, shape);
-        this.stage.root.add(shape.object);
-      }
-      shape.set(contacts);
-    }
+    this.contacts.set(key, contacts);
     this.invalidate();
   }
 
@@ -412,6 +403,12 @@ export class View {
       if (position) trail.add(position);
       this.stage.root.add(trail.object);
     }
+    this.invalidate();
+  }
+
+  /// Shows a line between two points, with its ends; null removes it.
+  showMeasure(ends: [Pose['position'], Pose['position']] | null): void {
+    this.measure.show(ends);
     this.invalidate();
   }
 
@@ -457,16 +454,9 @@ export class View {
   }
 
   /// The view as a PNG file.
-  async screenshot(): Promise<Blob> {
+  screenshot(): Promise<Blob> {
     this.drawWhole(this.fullScale);
-    const { width, height } = this.canvas;
-    const [wide, high] = [width, height].map((length) => Math.round(length / this.fullScale)) as [number, number];
-    const picture = new OffscreenCanvas(wide, high);
-    const context = picture.getContext('2d');
-    if (!context) throw new Error('the browser cannot take a picture');
-    context.imageSmoothingQuality = 'high';
-    context.drawImage(this.canvas, 0, 0, wide, high);
-    return picture.convertToBlob({ type: 'image/png' });
+    return pictureOf(this.canvas, this.fullScale);
   }
 
   /// @throws Error if this browser can't record video.
@@ -493,10 +483,11 @@ export class View {
     this.drag.dispose();
     this.handles.dispose();
     this.silhouette.dispose();
+    this.measure.dispose();
     this.tiny?.dispose();
     this.scans.clear();
     this.clouds.clear();
-    for (const key of [...this.contacts.keys()]) this.setContacts(key, null);
+    this.contacts.clear();
     this.stage.dispose();
     this.renderer.dispose();
     this.canvas.remove();

@@ -115,6 +115,34 @@ test('Delete removes what is chosen after a question, and undo brings it back', 
   await until(() => ball().count(), (count) => count === 0, 'it has gone again');
 });
 
+test('a distance is measured, by keys and by clicks', async () => {
+  const { tab } = page;
+  const measured = tab.locator('.measured');
+  await tab.locator('body').press('m');
+  await tab.locator('.toast', { hasText: 'first point' }).waitFor();
+  await tab.keyboard.press('Enter');
+  await tab.locator('.toast', { hasText: 'second point' }).waitFor();
+  for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'ArrowLeft', 'Enter']) await tab.keyboard.press(key);
+  const text = await measured.textContent();
+  const [, x, y] = /x (\S+), y (\S+), z/.exec(text).map(Number);
+  // along the axes of the world, wherever the view looks
+  assert.deepEqual([Math.abs(x), Math.abs(y)].sort(), [0.1, 2]);
+  await measured.getByRole('button', { name: 'Close the measurement' }).click();
+  assert.equal(await measured.count(), 0);
+  await tab.getByRole('button', { name: 'Measure' }).click();
+  const at = await middle();
+  await tab.mouse.move(at.x, at.y + 0.3 * at.height);
+  await tab.mouse.click(at.x, at.y + 0.3 * at.height);
+  await tab.locator('.toast', { hasText: 'second point' }).waitFor();
+  await tab.mouse.move(at.x + 50, at.y + 0.3 * at.height);
+  await tab.mouse.click(at.x + 50, at.y + 0.3 * at.height);
+  assert.ok(parseFloat(await measured.textContent()) > 0.05, await measured.textContent());
+  // Escape ends another one before its end
+  await tab.locator('body').press('m');
+  await tab.keyboard.press('Escape');
+  assert.equal(await measured.count(), 0);
+});
+
 test('after a reset there is nothing to undo', async () => {
   const { tab } = page;
   await tab.getByRole('button', { name: 'Step' }).click();

@@ -62,3 +62,30 @@ export class Contacts {
     }
   }
 }
+
+/// Contacts under keys, such as the topics of sensors.
+export class ContactsByKey {
+  readonly group = new Group();
+  private readonly all = new Map<string, Contacts>();
+
+  /// @param contacts An ignition.msgs.Contacts; null removes those of the key.
+  set(key: string, contacts: Message | null): void {
+    let shape = this.all.get(key);
+    if (contacts === null) {
+      if (shape) this.group.remove(shape.object);
+      shape?.dispose();
+      this.all.delete(key);
+      return;
+    }
+    if (shape === undefined) {
+      shape = new Contacts();
+      this.all.set(key, shape);
+      this.group.add(shape.object);
+    }
+    shape.set(contacts);
+  }
+
+  clear(): void {
+    for (const key of [...this.all.keys()]) this.set(key, null);
+  }
+}
