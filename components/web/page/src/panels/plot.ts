@@ -47,7 +47,8 @@ export function openPlot(context: Context, settings: Settings): Panel {
       isScheduled = false;
       if (isPaused.checked) return;
       const last = Math.max(0, ...curves.map((curve) => curve.last ?? 0));
-      chart.show(curves, last - (span.valueAsNumber || 30), last);
+      const first = Math.min(...curves.map((curve) => curve.times[0] ?? last));
+      chart.show(curves, Math.max(first, last - (span.valueAsNumber || 30)), last);
       thinned.hidden = !curves.some(({ isThinned }) => isThinned);
     });
   };

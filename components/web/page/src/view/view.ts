@@ -47,6 +47,7 @@ export interface ViewOptions {
 const supersampling = 1.5;
 // time without a change after which the view is rendered in full resolution [ms]
 const restTime = 300;
+const longestRest = 1500;
 
 /// The 3D view. It renders only after changes.
 export class View {
@@ -204,7 +205,7 @@ export class View {
   private sharpenLater(): void {
     clearTimeout(this.rest);
     const whole = this.resolution.isReduced ? 1 : this.fullScale;
-    if (this.scale < whole) this.rest = setTimeout(() => this.drawWhole(whole), Math.max(restTime, 4 * this.took));
+    if (this.scale < whole) this.rest = setTimeout(() => this.drawWhole(whole), Math.min(Math.max(restTime, 4 * this.took), longestRest));
   }
 
   /// Renders in full resolution, when nothing moves any more.

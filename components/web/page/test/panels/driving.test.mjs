@@ -9,7 +9,9 @@ after(() => page.close());
 
 test('the robot drives with the arrows', async () => {
   const { tab } = page;
-  await openPanel(tab, 'Key publisher');
+  const keys = await openPanel(tab, 'Key publisher');
+  const [box, label] = await Promise.all([keys.locator('input[type=checkbox]').boundingBox(), keys.locator('label').first().boundingBox()]);
+  assert.ok(label.x - box.x < 40, 'the box is beside its label');
   await choose(tab, 'pong_bot');
   const [x, y] = await until(() => shownPose(tab), (pose) => pose.length === 6, 'a pose');
   await tab.getByRole('button', { name: 'Play' }).click();

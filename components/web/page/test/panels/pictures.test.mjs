@@ -33,6 +33,9 @@ async function asWebp(tab, pictures) {
   return texts.map((text) => Buffer.from(text, 'base64'));
 }
 
+/// Waits until the view is sharp: while something moves, it may have a lower resolution.
+const sharp = (tab) => until(() => tab.locator('#view canvas').evaluate((canvas) => canvas.width / canvas.clientWidth), (ratio) => ratio >= 1, 'a sharp view');
+
 const calm = { animations: 'disabled', caret: 'hide' };
 
 test('the page', async () => {
@@ -43,6 +46,7 @@ test('the page', async () => {
     await choose(tab, 'pong_bot');
     await openPanel(tab, 'Key publisher');
     await until(() => shownPose(tab), (pose) => pose.length === 6, 'a pose');
+    await sharp(tab);
     keep('web-page.png', await tab.screenshot(calm));
     assert.deepEqual(page.errors, []);
   } finally {
@@ -94,6 +98,7 @@ test('what sensors see, and a plot', async () => {
   try {
     await panel(tab, 'Front camera').getByText('64 × 48').waitFor();
     await panel(tab, 'Visualize lidar').getByText('90 rays').waitFor();
+    await panel(tab, 'Spawn').getByRole('button', { name: 'Close Spawn' }).click();
     const plot = await openPanel(tab, 'Plot');
     await plot.getByLabel('Topic').selectOption('/world/camera_world/model/arm/joint_state');
     await plot.getByLabel('Number').selectOption('joint[1].axis1.position');
@@ -103,6 +108,7 @@ test('what sensors see, and a plot', async () => {
     await field.press('Enter');
     await until(() => tab.locator('#stats-sim').textContent(), (text) => text > '0 00:00:03', 'three seconds');
     await tab.getByRole('button', { name: 'Pause' }).click();
+    await sharp(tab);
     // waits until the view has been drawn: an image of one colour would be smaller
     await until(() => tab.locator('.stage').screenshot(calm), (picture) => picture.length > 12_000, 'the view is drawn');
     keep('web-panels.png', await tab.screenshot(calm));

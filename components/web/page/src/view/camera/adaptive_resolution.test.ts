@@ -19,9 +19,9 @@ test('slow frames have a reduced resolution, step by step', () => {
   assert.equal(shares.at(-1), 0.35);
 });
 
-test('frames of seconds have the lowest resolution after two of them', () => {
+test('frames of seconds have the lowest resolution after three of them', () => {
   const shares = draw(new AdaptiveResolution(), 5, 2000);
-  assert.deepEqual(shares, [1, 0.35, 0.35, 0.35, 0.35]);
+  assert.deepEqual(shares, [1, 1, 0.35, 0.35, 0.35]);
 });
 
 test('one slow frame, such as the first, changes nothing', () => {

@@ -8,7 +8,7 @@ const muchTooSlow = 240;
 const quickest = 20;
 // number of frames that have to be slow or fast, and much too slow
 const enough = 8;
-const enoughForAll = 2;
+const enoughForAll = 3;
 
 /// Chooses the resolution while things move: reduced if the browser can't keep up.
 export class AdaptiveResolution {
