@@ -64,8 +64,8 @@ void SimulationParameters::declareReadOnly(const Settings& settings) {
   addReadOnly("use_sim_time", "always true: this node uses the simulated time that it publishes on /clock",
               parameterOf(true));
   addReadOnly("domain", "number of the domain", parameterOf(static_cast<std::int64_t>(settings.participant.domain)));
-  addReadOnly("distro", "wire protocol: humble (and older) or jazzy (Iron and later)",
-              parameterOf(std::string(settings.participant.distro == Distro::kHumble ? "humble" : "jazzy")));
+  addReadOnly("distro", "distribution of the other nodes, as given at the start; empty: not given",
+              parameterOf(settings.distro));
   addReadOnly("localhost_only", "whether the node keeps to this machine and announces 127.0.0.1",
               parameterOf(settings.participant.isLoopbackOnly));
   addReadOnly("network", "network interface for nodes on other machines; empty: none",

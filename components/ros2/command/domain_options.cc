@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "pongsim/program/keystore.hh"
+#include "ros2/config/distro.hh"
 #include "ros2/config/environment.hh"
 #include "ros2/wire/participant.hh"
 #include "ros2/wire/security.hh"
@@ -36,14 +37,13 @@ ParticipantOptions DomainOptions::participant() const {
     throw cli::UsageError(error.what());
   }
   if (domain) options.domain = domainOf(*domain);
-  if (distro) {
-    const std::optional<Distro> known = distroNamed(*distro);
-    if (!known) throw cli::UsageError("'" + *distro + "' is not a ROS 2 distribution", "humble or jazzy, for example");
-    options.distro = *known;
+  if (distro && !isDistro(*distro)) {
+    throw cli::UsageError("'" + *distro + "' is not a ROS 2 distribution", "humble or jazzy, for example");
   }
   if (network) options.interface = *network;
   const Security security = securityOfEnvironment(options.domain);
   if (!security.warning.empty()) cli::say(security.warning);
+  for (const std::string& sentence : unmetVariables(options)) cli::say(sentence);
   return options;
 }
 
@@ -60,7 +60,7 @@ void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& gi
         ->type_name(value);
   };
   add("--domain", "N", "ROS domain, 0 to 232 (ROS_DOMAIN_ID, else 0)", given->domain);
-  add("--distro", "NAME", "ROS distribution of the nodes: humble, jazzy... (ROS_DISTRO, else humble)", given->distro);
+  add("--distro", "NAME", "ROS distribution of the nodes; no longer needed: those of all are met", given->distro);
   add("--network", "INTERFACE", "Also look at machines on this network interface (name or address)", given->network);
   action
       .add_option_function<std::string>(

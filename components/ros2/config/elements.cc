@@ -7,6 +7,7 @@
 
 #include "pongsim/program/nearest_word.hh"
 #include "ros2/config/bridge_file.hh"
+#include "ros2/config/distro.hh"
 #include "ros2/config/environment.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/config/topic_argument.hh"
@@ -35,8 +36,10 @@ std::filesystem::path besideItsElement(const std::string& file, const SourcePosi
 
 void SettingsElements::declare(Declaration& declaration) {
   declaration.parameter("domain", &domain_, "", "ROS domain, 0 to 232").otherwise("$ROS_DOMAIN_ID, else 0");
-  declaration.parameter("distro", &distro_, "", "ROS distribution of the other nodes, such as humble or jazzy")
-      .otherwise("$ROS_DISTRO, else humble");
+  declaration
+      .parameter("distro", &distro_, "",
+                 "ROS distribution of the other nodes, such as humble or jazzy, where it is not seen from them")
+      .otherwise("$ROS_DISTRO");
   declaration.parameter("node_name", &nodeName_, "", "name of the node");
   declaration.parameter("namespace", &nameSpace_, "", "prefix of the node's and topics' names, such as /robot");
   declaration.parameter("frame_prefix", &framePrefix_, "", "prefix of all frames, such as robot/");
@@ -80,14 +83,10 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
   } else if (domain_) {
     options.domain = static_cast<int>(*domain_);
   }
-  if (!distro_.empty()) {
-    if (const std::optional<Distro> known = distroNamed(distro_)) {
-      options.distro = *known;
-    } else {
-      const std::string hint = didYouMean(distro_, distroNames());
-      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is not a ROS 2 distribution",
-             hint.empty() ? "humble or jazzy, for example" : hint);
-    }
+  if (!distro_.empty() && !isDistro(distro_)) {
+    const std::string hint = didYouMean(distro_, distroNames());
+    refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is not a ROS 2 distribution",
+           hint.empty() ? "humble or jazzy, for example" : hint);
   }
   if (!isFine) return std::nullopt;
   try {
@@ -97,6 +96,7 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
   } catch (const KeystoreError& error) {
     refuse(plugin.position, error.what(), error.hint());
   }
+  for (std::string& sentence : unmetVariables(options)) diagnostics.warning(plugin.position, std::move(sentence));
   return isFine ? std::optional(options) : std::nullopt;
 }
 
@@ -104,6 +104,7 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   Diagnostics found;
   Settings settings;
   if (const auto participant = readParticipant(plugin, found)) settings.participant = *participant;
+  settings.distro = distro_.empty() ? distroOfEnvironment() : distro_;
   settings.nodeName = nodeName_;
   settings.nameSpace = absoluteName("/", nameSpace_.empty() ? "/" : nameSpace_);
   settings.frames.prefix = framePrefix_;

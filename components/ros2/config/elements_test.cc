@@ -73,7 +73,7 @@ TEST_F(ElementsTest, SayAllThatCanBeSaid) {
   const auto settings = read();
   ASSERT_TRUE(settings.has_value()) << said_;
   EXPECT_EQ(settings->participant.domain, 7);
-  EXPECT_EQ(settings->participant.distro, Distro::kJazzy);
+  EXPECT_EQ(settings->distro, "jazzy");
   EXPECT_EQ(settings->nodeName, "bridge");
   EXPECT_EQ(settings->nameSpace, "/demo");
   EXPECT_EQ(settings->frames.prefix, "one/");

@@ -14,6 +14,8 @@ namespace pongsim::ros2 {
 /// configuration file, and the environment.
 struct Settings {
   ParticipantOptions participant;
+  /// Name of the other nodes' distribution; empty: not given.
+  std::string distro;
   std::string nodeName = "pongsim";
   /// "/" or "/robot": for the node, and for topics without a rule.
   std::string nameSpace = "/";

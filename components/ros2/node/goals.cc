@@ -1,6 +1,7 @@
 #include "ros2/node/goals.hh"
 
 #include <algorithm>
+#include <utility>
 #include <tuple>
 
 namespace pongsim::ros2 {

@@ -10,18 +10,24 @@ namespace pongsim::ros2 {
 
 namespace {
 
-constexpr std::size_t kHumbleGid = 24, kJazzyGid = 16;
+using rmw_dds_common::kHumbleGid;
+using rmw_dds_common::kJazzyGid;
 
-Contract contractOf(const RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos) {
+Contract contractOf(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos) {
   const std::string name = node.resolve(topic);
   if (const auto error = rosNameError(name)) throw std::invalid_argument("topic '" + name + "' " + *error);
+  node.use(type);
   return {topicOnWire(name), ddsTypeName(type.name), type.hash, qos};
 }
 
-template <std::size_t GidSize>
-Contract discoveryContract() {
-  const TypeInfo type = typeInfo<rmw_dds_common::ParticipantEntitiesInfo<GidSize>>();
-  return {kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
+/// @param isToHumble For the readers that announce no hash, and without one itself, from which readers see its layout.
+std::unique_ptr<Writer> discoveryWriter(Participant& participant, bool isToHumble) {
+  const TypeInfo type = typeInfo<rmw_dds_common::ParticipantEntitiesInfo<kJazzyGid>>();
+  const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), isToHumble ? "" : type.hash, kLatchedQos};
+  return participant.makeWriter(contract, {}, [&participant, isToHumble](const Guid& reader, const SampleId&) {
+    const auto found = participant.graph().find(reader);
+    return found && found->contract.typeHash.empty() == isToHumble;
+  });
 }
 
 template <std::size_t GidSize>
@@ -52,8 +58,8 @@ RosSubscription::~RosSubscription() { node_.removeReader(reader_->id()); }
 
 RosNode::RosNode(Participant& participant, const Options& options) : participant_(participant), options_(options) {
   if (const auto error = rosNameError(fullName())) throw std::invalid_argument("node '" + fullName() + "' " + *error);
-  discovery_ = participant.makeWriter(participant.distro() == Distro::kHumble ? discoveryContract<kHumbleGid>()
-                                                                              : discoveryContract<kJazzyGid>());
+  discoveryToHumble_ = discoveryWriter(participant, true);
+  discovery_ = discoveryWriter(participant, false);
   announce();
 }
 
@@ -67,6 +73,17 @@ std::string RosNode::resolve(std::string_view name) const {
 void RosNode::complainOf(std::string_view topic, std::string_view error) {
   ++malformed_;
   complaints_.warn(log_, "a message on '" + resolve(topic) + "' is damaged: " + std::string(error) + "; dropped");
+}
+
+void RosNode::use(const TypeInfo& type) {
+  const std::lock_guard lock(mutex_);
+  types_.try_emplace(type.name, type);
+}
+
+std::optional<TypeInfo> RosNode::usedType(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = types_.find(name);
+  return found == types_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void RosNode::addWriter(const Guid& id) {
@@ -102,7 +119,7 @@ RosNode::Quiet::~Quiet() {
 }
 
 template <std::size_t GidSize>
-void RosNode::announceAs() {
+void RosNode::announceBy(Writer& writer) {
   rmw_dds_common::ParticipantEntitiesInfo<GidSize> info;
   info.gid = gidOf<GidSize>(participant_.id());
   auto& node = info.node_entities_info_seq.emplace_back();
@@ -110,12 +127,13 @@ void RosNode::announceAs() {
   node.node_name = options_.name;
   for (const Guid& id : readers_) node.reader_gid_seq.push_back(gidOf<GidSize>(id));
   for (const Guid& id : writers_) node.writer_gid_seq.push_back(gidOf<GidSize>(id));
-  discovery_->write(cdrSize(info), [&info](std::span<std::byte> place) { writeCdr(info, place); });
+  writer.write(cdrSize(info), [&info](std::span<std::byte> place) { writeCdr(info, place); });
 }
 
 void RosNode::announce() {
   if (quiet_ > 0) return;
-  participant_.distro() == Distro::kHumble ? announceAs<kHumbleGid>() : announceAs<kJazzyGid>();
+  announceBy<kHumbleGid>(*discoveryToHumble_);
+  announceBy<kJazzyGid>(*discovery_);
 }
 
 }  // namespace pongsim::ros2

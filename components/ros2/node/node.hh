@@ -3,8 +3,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,9 @@ class RosNode {
     std::string name = "pongsim";
     /// "/" or "/robot".
     std::string nameSpace = "/";
+    /// Whether nodes that don't announce the hashes of their types, those of Humble, have the older version of
+    /// interfaces of which there are two.
+    bool prefersOlder = true;
   };
 
   /// @throws std::invalid_argument for invalid names; std::runtime_error if DDS fails.
@@ -117,6 +122,11 @@ class RosNode {
   /// @return The absolute name.
   std::string resolve(std::string_view name) const;
 
+  /// Remembers a type that the node uses.
+  void use(const TypeInfo& type);
+  /// @return A type that the node uses or has used; nothing for others.
+  std::optional<TypeInfo> usedType(const std::string& name) const;
+
   /// Announces that an endpoint has been added or removed.
   void addWriter(const Guid& id);
   void removeWriter(const Guid& id);
@@ -137,7 +147,7 @@ class RosNode {
 
  private:
   template <std::size_t GidSize>
-  void announceAs();
+  void announceBy(Writer& writer);
   void announce();
 
   Participant& participant_;
@@ -146,10 +156,13 @@ class RosNode {
   Complaints complaints_;
   Mailbox mailbox_;
   std::atomic<std::uint64_t> malformed_ = 0;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  std::map<std::string, TypeInfo> types_;
   int quiet_ = 0;
   std::vector<Guid> writers_;
   std::vector<Guid> readers_;
+  /// The layout of the announcement is another one up to Humble: each is sent to those that read it.
+  std::unique_ptr<Writer> discoveryToHumble_;
   std::unique_ptr<Writer> discovery_;
 };
 

@@ -68,34 +68,37 @@ void sortUnique(std::vector<NodeInfo::Interface>& interfaces) {
 
 std::string NodeInfo::fullName() const { return absoluteName(nameSpace, name); }
 
-NodeWatch::NodeWatch(Participant& participant)
-    : participant_(participant),
-      reader_(participant.distro() == Distro::kHumble ? makeReader<24>() : makeReader<16>()) {}
+NodeWatch::NodeWatch(Participant& participant) : participant_(participant) {
+  const TypeInfo type = typeInfo<rmw_dds_common::ParticipantEntitiesInfo<rmw_dds_common::kJazzyGid>>();
+  const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
+  reader_ = participant_.makeReader(contract, [this](const Sample& sample) {
+    // the layout changed when hashes came
+    const auto writer = participant_.graph().find(sample.id.writer);
+    if (!writer) return;
+    writer->contract.typeHash.empty() ? receive<rmw_dds_common::kHumbleGid>(sample)
+                                      : receive<rmw_dds_common::kJazzyGid>(sample);
+  });
+}
 
 NodeWatch::~NodeWatch() = default;
 
 template <std::size_t GidSize>
-std::unique_ptr<Reader> NodeWatch::makeReader() {
-  using Info = rmw_dds_common::ParticipantEntitiesInfo<GidSize>;
-  const TypeInfo type = typeInfo<Info>();
-  const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
-  return participant_.makeReader(contract, [this](const Sample& sample) {
-    Info info;
-    // not readable: from another distribution, or damaged
-    if (readCdr(sample.payload, info)) return;
-    std::vector<Announced> nodes;
-    for (const auto& each : info.node_entities_info_seq) {
-      Announced& node = nodes.emplace_back();
-      node.nameSpace = each.node_namespace;
-      node.name = each.node_name;
-      for (const auto* gids : {&each.reader_gid_seq, &each.writer_gid_seq}) {
-        for (const auto& gid : *gids) node.endpoints.push_back(guidOf(gid));
-      }
+void NodeWatch::receive(const Sample& sample) {
+  rmw_dds_common::ParticipantEntitiesInfo<GidSize> info;
+  // damaged
+  if (readCdr(sample.payload, info)) return;
+  std::vector<Announced> nodes;
+  for (const auto& each : info.node_entities_info_seq) {
+    Announced& node = nodes.emplace_back();
+    node.nameSpace = each.node_namespace;
+    node.name = each.node_name;
+    for (const auto* gids : {&each.reader_gid_seq, &each.writer_gid_seq}) {
+      for (const auto& gid : *gids) node.endpoints.push_back(guidOf(gid));
     }
-    const std::lock_guard lock(mutex_);
-    announced_[guidOf(info.gid)] = std::move(nodes);
-    ++version_;
-  });
+  }
+  const std::lock_guard lock(mutex_);
+  announced_[guidOf(info.gid)] = std::move(nodes);
+  ++version_;
 }
 
 void NodeWatch::settle(std::chrono::nanoseconds timeout) const {

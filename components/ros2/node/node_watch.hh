@@ -58,7 +58,7 @@ class NodeWatch {
     std::vector<Guid> endpoints;
   };
   template <std::size_t GidSize>
-  std::unique_ptr<Reader> makeReader();
+  void receive(const Sample& sample);
 
   Participant& participant_;
   mutable std::mutex mutex_;

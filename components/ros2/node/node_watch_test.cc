@@ -24,7 +24,7 @@ bool becomesTrue(const std::function<bool()>& condition) {
   return true;
 }
 
-class NodeWatchTest : public testing::TestWithParam<Distro> {
+class NodeWatchTest : public testing::Test {
  protected:
   NodeInfo infoOf(const std::string& name) const {
     for (const NodeInfo& node : watch_.nodes()) {
@@ -34,12 +34,12 @@ class NodeWatchTest : public testing::TestWithParam<Distro> {
   }
 
   const int domain_ = test::testDomain();
-  Participant participant_{{.domain = domain_, .distro = GetParam()}};
+  Participant participant_{{.domain = domain_}};
   NodeWatch watch_{participant_};
-  Participant other_{{.domain = domain_, .distro = GetParam()}};
+  Participant other_{{.domain = domain_}};
 };
 
-TEST_P(NodeWatchTest, SeesWhatNodesPublishSubscribeAndServe) {
+TEST_F(NodeWatchTest, SeesWhatNodesPublishSubscribeAndServe) {
   using Service = simulation_interfaces::srv::GetSimulatorFeatures;
   RosNode node(other_, {.name = "talker", .nameSpace = "/robot"});
   const auto publisher = node.advertise<std_msgs::String>("chatter");
@@ -59,16 +59,16 @@ TEST_P(NodeWatchTest, SeesWhatNodesPublishSubscribeAndServe) {
   EXPECT_TRUE(info.calls.empty());
 }
 
-TEST_P(NodeWatchTest, ForgetsTheNodesOfAParticipantThatHasGone) {
+TEST_F(NodeWatchTest, ForgetsTheNodesOfAParticipantThatHasGone) {
   {
-    Participant gone({.domain = domain_, .distro = GetParam()});
+    Participant gone({.domain = domain_});
     RosNode node(gone, {.name = "guest"});
     ASSERT_TRUE(becomesTrue([&] { return infoOf("/guest").name == "guest"; }));
   }
   EXPECT_TRUE(becomesTrue([&] { return infoOf("/guest").name.empty(); }));
 }
 
-TEST_P(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {
+TEST_F(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {
   RosNode node(other_, {.name = "talker"});
   // on a busy machine nothing may arrive for that long before discovery
   EXPECT_TRUE(becomesTrue([&] {
@@ -76,8 +76,6 @@ TEST_P(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {
     return infoOf("/talker").name == "talker";
   }));
 }
-
-INSTANTIATE_TEST_SUITE_P(Distros, NodeWatchTest, testing::Values(Distro::kHumble, Distro::kJazzy));
 
 }  // namespace
 }  // namespace pongsim::ros2

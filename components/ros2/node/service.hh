@@ -24,10 +24,29 @@ namespace pongsim::ros2 {
 ///       struct Request { static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld_Request"; ... };
 ///       struct Response { static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld_Response"; ... };
 ///     };
+///
+/// Where an older version of it has another request or response, it has the type, `OlderRequest` or `OlderResponse`,
+/// and a conversion, `fromOlder` or `toOlder`. Clients of both are served: they announce the hashes of their types, and
+/// those that don't are taken for what `RosNode::Options` says.
 template <class Type>
 concept ServiceType = Structure<typename Type::Request> && Structure<typename Type::Response>;
 
 namespace detail {
+
+/// Who gets a reply.
+struct Caller {
+  /// The reader of the reply where the client names it, as with rmw_fastrtps, else the writer of the request; and the
+  /// request's number.
+  SampleId id;
+  /// What rmw_cyclonedds puts in front of its request and expects in front of the reply; otherwise empty.
+  std::vector<std::byte> header = {};
+};
+
+struct Reply {
+  std::vector<std::byte> payload;
+  /// For clients of an older version; empty: it is the same.
+  std::vector<std::byte> older = {};
+};
 
 /// The endpoints of a service on the wire, for any types.
 class ServerEnds {
@@ -35,6 +54,9 @@ class ServerEnds {
   struct Types {
     TypeInfo request;
     TypeInfo response;
+    /// Of the older version; the same if there is none.
+    TypeInfo olderRequest = request;
+    TypeInfo olderResponse = response;
   };
   /// @param received Called from a DDS thread with each request.
   ServerEnds(RosNode& node, const std::string& service, const Types& types, Reader::Received received);
@@ -44,23 +66,25 @@ class ServerEnds {
   ServerEnds& operator=(const ServerEnds&) = delete;
 
   const std::string& service() const { return service_; }
-  /// @return Who receives the reply to this request.
-  static SampleId callerOf(const Sample& request);
-  /// Sends a reply. If the caller's reader has not been discovered yet, waits a while for it, because the reply would
-  /// be lost.
-  void reply(const SampleId& caller, std::vector<std::byte> payload);
+  /// Sends a reply, to the caller alone. If the caller's reader has not been discovered yet, waits a while for it,
+  /// because the reply would be lost.
+  void reply(const Caller& caller, Reply reply);
 
  private:
   struct Waiting {
-    SampleId caller;
-    std::vector<std::byte> payload;
+    Caller caller;
+    Reply reply;
     std::chrono::steady_clock::time_point until;
   };
   void readersChanged();
+  bool isFor(const Guid& reader, const SampleId& caller) const;
   bool send(const Waiting& reply);
 
   RosNode& node_;
   std::string service_;
+  std::string olderResponseHash_;
+  std::string responseHash_;
+  std::string replyTopic_;
   std::mutex mutex_;
   std::condition_variable sent_;
   std::deque<Waiting> waiting_;
@@ -74,16 +98,23 @@ class ServerEnds {
 template <ServiceType Service>
 class Responder {
  public:
-  Responder(std::weak_ptr<detail::ServerEnds> ends, const SampleId& caller) : ends_(std::move(ends)), caller_(caller) {}
+  Responder(std::weak_ptr<detail::ServerEnds> ends, detail::Caller caller)
+      : ends_(std::move(ends)), caller_(std::move(caller)) {}
 
   /// Does nothing if the service has ended.
   void answer(const typename Service::Response& response) const {
-    if (const auto ends = ends_.lock()) ends->reply(caller_, toCdr(response));
+    const auto ends = ends_.lock();
+    if (!ends) return;
+    if constexpr (requires { Service::toOlder(response); }) {
+      ends->reply(caller_, {toCdr(response), toCdr(Service::toOlder(response))});
+    } else {
+      ends->reply(caller_, {toCdr(response)});
+    }
   }
 
  private:
   std::weak_ptr<detail::ServerEnds> ends_;
-  SampleId caller_;
+  detail::Caller caller_;
 };
 
 /// A service offered for the lifetime of this object.
@@ -99,10 +130,37 @@ class RosServer {
 namespace detail {
 
 /// Calls the handler with a request that has been read, and the client to answer.
-using Handling = std::function<void(const std::weak_ptr<ServerEnds>& ends, const SampleId& caller)>;
+using Handling = std::function<void(const std::weak_ptr<ServerEnds>& ends, const Caller& caller)>;
 /// Reads a request.
+/// @param isOlder Whether it is of the older version of the type.
 /// @return The call of its handler; empty, with the reason in `error`, if the payload is invalid.
-using ReadRequest = std::function<Handling(std::span<const std::byte> payload, std::string& error)>;
+using ReadRequest = std::function<Handling(std::span<const std::byte> payload, bool isOlder, std::string& error)>;
+
+template <ServiceType Service>
+ServerEnds::Types typesOf() {
+  ServerEnds::Types types{typeInfo<typename Service::Request>(), typeInfo<typename Service::Response>()};
+  if constexpr (requires { typename Service::OlderRequest; }) {
+    types.olderRequest = typeInfo<typename Service::OlderRequest>();
+  }
+  if constexpr (requires { typename Service::OlderResponse; }) {
+    types.olderResponse = typeInfo<typename Service::OlderResponse>();
+  }
+  return types;
+}
+
+template <ServiceType Service>
+std::optional<std::string> readRequest(std::span<const std::byte> payload, bool isOlder,
+                                       typename Service::Request& request) {
+  if constexpr (requires { typename Service::OlderRequest; }) {
+    if (isOlder) {
+      typename Service::OlderRequest older;
+      auto wrong = readCdr(payload, older);
+      if (!wrong) request = Service::fromOlder(older);
+      return wrong;
+    }
+  }
+  return readCdr(payload, request);
+}
 /// Offers a service, for any types.
 std::unique_ptr<RosServer> serve(RosNode& node, const std::string& service, const ServerEnds::Types& types,
                                  ReadRequest read);
@@ -117,18 +175,18 @@ std::unique_ptr<RosServer> serve(
     RosNode& node, const std::string& service,
     std::function<void(const typename Service::Request&, const Responder<Service>&)> handler) {
   using Request = typename Service::Request;
-  return detail::serve(node, service, {typeInfo<Request>(), typeInfo<typename Service::Response>()},
+  return detail::serve(node, service, detail::typesOf<Service>(),
                        [shared = std::make_shared<decltype(handler)>(std::move(handler))](
-                           std::span<const std::byte> payload, std::string& error) -> detail::Handling {
+                           std::span<const std::byte> payload, bool isOlder, std::string& error) -> detail::Handling {
                          const auto request = std::make_shared<Request>();
-                         if (auto wrong = readCdr(payload, *request)) {
+                         if (auto wrong = detail::readRequest<Service>(payload, isOlder, *request)) {
                            error = std::move(*wrong);
                            return {};
                          }
-                         return
-                             [shared, request](const std::weak_ptr<detail::ServerEnds>& ends, const SampleId& caller) {
-                               (*shared)(*request, Responder<Service>(ends, caller));
-                             };
+                         return [shared, request](const std::weak_ptr<detail::ServerEnds>& ends,
+                                                  const detail::Caller& caller) {
+                           (*shared)(*request, Responder<Service>(ends, caller));
+                         };
                        });
 }
 
@@ -159,12 +217,17 @@ class ClientEnds {
 
  private:
   void received(const Sample& sample);
+  bool servesCyclone() const;
+  std::vector<std::byte> cycloneHeader() const;
 
   RosNode& node_;
+  std::string requestTopic_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::int64_t nextNumber_ = 1;
   std::int64_t awaited_ = 0;
+  /// Whether the awaited reply begins with rmw_cyclonedds's header.
+  bool awaitsHeader_ = false;
   std::optional<std::vector<std::byte>> answer_;
   std::unique_ptr<Reader> reader_;
   std::unique_ptr<Writer> writer_;

@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -5,11 +6,13 @@
 #include "ros2/bridge/bridge.hh"
 #include "ros2/bridge/simulation_parameters.hh"
 #include "ros2/bridge/topics_service.hh"
+#include "ros2/config/distro.hh"
 #include "ros2/config/elements.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/node/rosout.hh"
+#include "ros2/node/type_descriptions.hh"
 #include "ros2/robot/robots.hh"
 #include "ros2/services/services.hh"
 #include "ros2/wire/participant.hh"
@@ -41,10 +44,11 @@ class Ros2 final : public System {
     if (!settings_.bridgesAll) robotSettings_.leaveOutUnnamed(context.sdf);
     warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
-    node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
-    node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain) +
-                      (settings_.participant.distro == Distro::kHumble ? ", for Humble" : ", for Iron and later"));
+    node_.emplace(*participant_,
+                  RosNode::Options{settings_.nodeName, settings_.nameSpace, shipsOlderInterfaces(settings_.distro)});
+    node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain));
     rosout_.emplace(*node_);
+    typeDescriptions_ = offerTypeDescriptions(*node_);
     bridge_.emplace(context.node, *node_, settings_);
     parameters_.emplace(*node_, context.world, *bridge_, settings_);
     robots_.emplace(context.world, context.node, *node_, *bridge_, settings_, robotSettings_);
@@ -84,6 +88,7 @@ class Ros2 final : public System {
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Rosout> rosout_;
+  std::unique_ptr<RosServer> typeDescriptions_;
   std::optional<Bridge> bridge_;
   std::optional<SimulationParameters> parameters_;
   std::optional<Robots> robots_;

@@ -11,7 +11,7 @@ from cyclonedds.sub import DataReader, Subscriber
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
-from simulation import DOMAIN, PATIENCE, PONGSIM, ROOT, fortress, running, stop, until  # noqa: F401
+from simulation import DOMAIN, PATIENCE, PONGSIM, ROOT, fortress, running, stop, take_domain, until  # noqa: F401
 
 RELIABLE = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
 BEST_EFFORT = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(10))

@@ -355,7 +355,8 @@ def test_create_inserts_as_ros_gz_sim_does(tmp_path):
         # a node that keeps its description
         writer = peers.Peer().writer("/robot_description", peers.String, peers.LATCHED)
         writer.write(peers.String(SDF))
-        assert create("-topic", "robot_description", "-name", "robot").returncode == 0
+        described = create("-topic", "robot_description", "-name", "robot")
+        assert described.returncode == 0, described.stderr
         assert "robot" in models()
 
         late = create("-topic", "nothing", "-timeout", "1500")

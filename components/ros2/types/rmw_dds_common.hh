@@ -7,8 +7,12 @@
 
 #include "ros2/types/reflection.hh"
 
-/// The node graph. `GidSize` is 24 up to Humble and 16 from Iron on.
+/// The node graph.
 namespace pongsim::ros2::rmw_dds_common {
+
+/// Sizes of ids up to Humble, and from Iron on.
+inline constexpr std::size_t kHumbleGid = 24;
+inline constexpr std::size_t kJazzyGid = 16;
 
 template <std::size_t GidSize>
 struct Gid {

@@ -6,6 +6,7 @@
 
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/simulation_interfaces.hh"
+#include "ros2/types/simulation_interfaces_1.hh"
 
 /// The services about entities.
 namespace pongsim::ros2::simulation_interfaces {
@@ -197,6 +198,15 @@ struct GetSpawnables {
     }
     bool operator==(const Response&) const = default;
   };
+
+  using OlderResponse = simulation_interfaces_1::GetSpawnablesResponse;
+  static OlderResponse toOlder(const Response& response) {
+    OlderResponse older{response.result, {}};
+    for (const Spawnable& each : response.spawnables) {
+      older.spawnables.push_back({each.entity_resource.uri, each.description, each.spawn_bounds});
+    }
+    return older;
+  }
 };
 
 struct SetEntityInfo {
@@ -246,6 +256,10 @@ struct SetEntityState {
     static void visit(auto& self, auto&& field) { field("result", self.result); }
     bool operator==(const Response&) const = default;
   };
+
+  /// Sets everything that it contains.
+  using OlderRequest = simulation_interfaces_1::SetEntityStateRequest;
+  static Request fromOlder(const OlderRequest& older) { return {older.entity, older.state, true, true, true}; }
 };
 
 struct SpawnEntities {
@@ -308,6 +322,15 @@ struct SpawnEntity {
     }
     bool operator==(const Response&) const = default;
   };
+
+  using OlderRequest = simulation_interfaces_1::SpawnEntityRequest;
+  static Request fromOlder(const OlderRequest& older) {
+    return {older.name,
+            older.allow_renaming,
+            {older.uri, older.resource_string},
+            older.entity_namespace,
+            older.initial_pose};
+  }
 };
 
 }  // namespace srv

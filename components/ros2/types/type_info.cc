@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kBetween = "::dds_::";
 }
 
-TypeInfo typeInfo(const TypeDescription& type) { return {type.name, typeHash(type)}; }
+TypeInfo typeInfo(const TypeDescription& type) { return {type.name, typeHash(type), nullptr}; }
 
 std::string ddsTypeName(std::string_view name) {
   const std::size_t slash = name.rfind('/');

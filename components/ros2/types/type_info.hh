@@ -13,13 +13,16 @@ struct TypeInfo {
   std::string name;
   /// "RIHS01_..."
   std::string hash;
+  TypeDescription (*describe)() = nullptr;
 };
 
 TypeInfo typeInfo(const TypeDescription& type);
 
 template <Structure Type>
 TypeInfo typeInfo() {
-  return typeInfo(typeDescription<Type>());
+  TypeInfo info = typeInfo(typeDescription<Type>());
+  info.describe = typeDescription<Type>;
+  return info;
 }
 
 /// @return The name on the wire: "sensor_msgs::msg::dds_::LaserScan_".

@@ -16,9 +16,15 @@ struct Contract {
   std::string topic;
   /// On the wire: "sensor_msgs::msg::dds_::LaserScan_".
   std::string type;
-  /// "RIHS01_...", announced if the distribution uses it.
+  /// "RIHS01_..."; empty: not announced, as up to Humble.
   std::string typeHash;
   Qos qos;
+  /// Whether a reader asks for messages within a time, or for a sign of life: our writers promise neither.
+  bool hasDeadline = false;
+  bool hasLiveliness = false;
+  /// Of a service's endpoint, as others announce it: what rmw_cyclonedds calls the client or server that it belongs to.
+  std::string cycloneId = {};
+  bool operator==(const Contract&) const = default;
 };
 
 /// A received sample.

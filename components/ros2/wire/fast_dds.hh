@@ -45,7 +45,7 @@ inline eprosima::fastrtps::TopicAttributes topicAttributesOf(const Contract& con
 
 /// In the form used by rmw_fastrtps: "typehash=RIHS01_...;", without a terminating zero.
 template <class EndpointQos>
-EndpointQos endpointQosOf(const Contract& contract, bool tellsHash) {
+EndpointQos endpointQosOf(const Contract& contract) {
   namespace dds = eprosima::fastdds::dds;
   EndpointQos qos;
   qos.m_reliability.kind = contract.qos.isReliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
@@ -53,7 +53,7 @@ EndpointQos endpointQosOf(const Contract& contract, bool tellsHash) {
       contract.qos.isTransientLocal ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
   if (contract.qos.lifespan)
     qos.m_lifespan.duration.seconds = static_cast<std::int32_t>(contract.qos.lifespan->count());
-  if (tellsHash && !contract.typeHash.empty()) {
+  if (!contract.typeHash.empty()) {
     const std::string text = "typehash=" + contract.typeHash + ";";
     qos.m_userData.assign(text.begin(), text.end());
   }

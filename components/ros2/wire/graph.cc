@@ -48,6 +48,21 @@ std::vector<Graph::Endpoint> Graph::endpoints() const {
   return all;
 }
 
+std::optional<Graph::Endpoint> Graph::find(const Guid& endpoint) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = endpoints_.find(endpoint);
+  return found == endpoints_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<Graph::Endpoint> Graph::endpointsOn(std::string_view topic, Role role) const {
+  std::vector<Endpoint> matching;
+  const std::lock_guard lock(mutex_);
+  for (const auto& [id, endpoint] : endpoints_) {
+    if (endpoint.role == role && endpoint.contract.topic == topic) matching.push_back(endpoint);
+  }
+  return matching;
+}
+
 std::vector<Guid> Graph::participants() const {
   const std::lock_guard lock(mutex_);
   return participants_;

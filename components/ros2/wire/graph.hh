@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ros2/wire/endpoint.hh"
@@ -31,6 +33,10 @@ class Graph {
   std::uint64_t version() const;
   /// @return Sorted by topic, then by id.
   std::vector<Endpoint> endpoints() const;
+  /// @return Nothing if there is none with this id.
+  std::optional<Endpoint> find(const Guid& endpoint) const;
+  /// @param topic On the wire.
+  std::vector<Endpoint> endpointsOn(std::string_view topic, Role role) const;
   std::vector<Guid> participants() const;
 
  private:

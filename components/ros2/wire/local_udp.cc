@@ -209,6 +209,9 @@ bool LocalUdpTransport::OpenInputChannel(const Locator_t& locator, dds_rtps::Tra
   if (channels_.contains(keyOf(locator))) return true;
   std::vector<UdpSocket> sockets = socketsFor(locator);
   if (sockets.empty()) return false;
+  for (const UdpSocket& socket : sockets) {
+    if (reach_.isNobody && !shared::refuseSenders(socket.handle())) return false;
+  }
   // there is one such port
   const bool endsLeases = !isMulticast(locator) && isDiscoveryPort(locator.port);
   channels_[keyOf(locator)] =
@@ -256,7 +259,7 @@ void LocalUdpTransport::sendBy(const UdpSocket& socket, const rtps::octet* bytes
 
 bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator& begin,
                              const rtps::LocatorsIterator& end) {
-  if (!*isOpen_) return true;
+  if (!*isOpen_ || reach_.isNobody) return true;
   for (; begin != end; ++begin) {
     const Locator_t& to = *begin;
     if (!is_locator_allowed(to)) continue;

@@ -20,6 +20,8 @@ struct Reach {
   std::optional<LocalAddress> open;
   /// Whether nodes are told 127.0.0.1 instead of the other addresses.
   bool announcesLoopback = false;
+  /// Whether nothing is sent or received.
+  bool isNobody = false;
 
   shared::Senders senders() const;
   /// @return Whether what is for that address, in the network's byte order, may be sent.

@@ -10,8 +10,10 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/log/Log.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
+#include <string_view>
 
 #include "ros2/wire/fast_dds.hh"
 #include "ros2/wire/local_udp.hh"
@@ -55,11 +57,16 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
                                              const std::shared_ptr<std::atomic<bool>>& isOpen) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.useBuiltinTransports = false;
-  attributes.userTransports.push_back(
-      std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), isOpen));
+  Reach reach = reachOf(options.isLoopbackOnly, options.interface);
+  reach.isNobody = options.isAlone;
+  attributes.userTransports.push_back(std::make_shared<LocalUdp>(reach, isOpen));
   // participants that do not receive multicast are looked for on 127.0.0.1
   attributes.builtin.initialPeersList.push_back(locatorOf("239.255.0.1"));
   attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
+  for (const std::string& peer : options.staticPeers) {
+    const auto addresses = rtps::IPLocator::resolveNameDNS(peer).first;
+    if (!addresses.empty()) attributes.builtin.initialPeersList.push_back(locatorOf(addresses.begin()->c_str()));
+  }
   attributes.builtin.mutation_tries = kParticipants;
   // rmw names participants by their enclave
   const std::string enclave = identity ? identity->name : "/";
@@ -78,6 +85,18 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
   attributes.builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   attributes.builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   return attributes;
+}
+
+/// @return The value of a key in user data such as "typehash=RIHS01_...;clientid=1.2;", or empty.
+std::string valueIn(std::string_view userData, std::string_view key) {
+  while (!userData.empty()) {
+    const std::string_view entry = userData.substr(0, userData.find(';'));
+    if (entry.starts_with(key) && entry.substr(key.size()).starts_with('=')) {
+      return std::string(entry.substr(key.size() + 1));
+    }
+    userData.remove_prefix(std::min(entry.size() + 1, userData.size()));
+  }
+  return {};
 }
 
 }  // namespace
@@ -106,13 +125,13 @@ Participant::~Participant() {
   rtps::RTPSDomain::removeRTPSParticipant(participant_);
 }
 
-std::unique_ptr<Writer> Participant::makeWriter(const Contract& contract, std::function<void()> readersChanged) {
-  return std::make_unique<Writer>(*participant_, outbox_, contract, distro() != Distro::kHumble,
-                                  std::move(readersChanged));
+std::unique_ptr<Writer> Participant::makeWriter(const Contract& contract, std::function<void()> readersChanged,
+                                                Writer::IsFor isFor) {
+  return std::make_unique<Writer>(*participant_, outbox_, contract, std::move(readersChanged), std::move(isFor));
 }
 
 std::unique_ptr<Reader> Participant::makeReader(const Contract& contract, Reader::Received received) {
-  return std::make_unique<Reader>(*participant_, contract, distro() != Distro::kHumble, std::move(received));
+  return std::make_unique<Reader>(*participant_, contract, std::move(received));
 }
 
 void Participant::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
@@ -139,12 +158,13 @@ void Participant::endpointChanged(const ProxyData& data, Graph::Role role, bool 
   contract.type = data.typeName().c_str();
   contract.qos.isReliable = data.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
   contract.qos.isTransientLocal = data.m_qos.m_durability.kind == dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  contract.hasDeadline = data.m_qos.m_deadline.period != eprosima::fastrtps::c_TimeInfinite;
+  contract.hasLiveliness = data.m_qos.m_liveliness.kind != dds::AUTOMATIC_LIVELINESS_QOS ||
+                           data.m_qos.m_liveliness.lease_duration != eprosima::fastrtps::c_TimeInfinite;
   const auto& userData = data.m_qos.m_userData;
   const std::string text(userData.begin(), userData.end());
-  constexpr std::string_view kKey = "typehash=";
-  if (const std::size_t at = text.find(kKey); at != std::string::npos) {
-    contract.typeHash = text.substr(at + kKey.size(), text.find(';', at) - at - kKey.size());
-  }
+  contract.typeHash = valueIn(text, "typehash");
+  contract.cycloneId = valueIn(text, "clientid") + valueIn(text, "serviceid");
   graph_.add({id, role, std::move(contract)});
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ros2/wire/endpoint.hh"
 #include "ros2/wire/graph.hh"
@@ -14,23 +15,19 @@
 
 namespace pongsim::ros2 {
 
-/// What differs on the wire from one distribution of ROS 2 to another.
-enum class Distro {
-  /// Up to Humble.
-  kHumble,
-  /// From Iron on: types have hashes, and ids in `ros_discovery_info` are shorter.
-  kJazzy
-};
-
 /// The last domain that leaves participants ports below 65536 (RTPS 9.6.1.1).
 inline constexpr int kLastDomain = 232;
 
 struct ParticipantOptions {
   /// 0 to `kLastDomain`.
   int domain = 0;
-  Distro distro = Distro::kHumble;
   /// Whether the nodes keep to this machine, and may listen at 127.0.0.1 alone (ROS_LOCALHOST_ONLY).
   bool isLoopbackOnly = false;
+  /// Whether nobody is met (ROS_AUTOMATIC_DISCOVERY_RANGE=OFF).
+  bool isAlone = false;
+  /// Addresses of machines that are asked for nodes although they may not receive multicast (ROS_STATIC_PEERS); those
+  /// that can't be reached are skipped.
+  std::vector<std::string> staticPeers = {};
   /// Name or address of the network interface by which other machines are talked to; unset: none is.
   std::optional<std::string> interface = std::nullopt;
 };
@@ -45,12 +42,13 @@ class Participant final : private rtps::RTPSParticipantListener {
   Participant& operator=(const Participant&) = delete;
 
   const Guid& id() const { return id_; }
-  Distro distro() const { return options_.distro; }
   /// What the others offer.
   const Graph& graph() const { return graph_; }
 
   /// @param readersChanged Called from a DDS thread when a reader comes or goes.
-  std::unique_ptr<Writer> makeWriter(const Contract& contract, std::function<void()> readersChanged = {});
+  /// @param isFor See `Writer`.
+  std::unique_ptr<Writer> makeWriter(const Contract& contract, std::function<void()> readersChanged = {},
+                                     Writer::IsFor isFor = {});
   std::unique_ptr<Reader> makeReader(const Contract& contract, Reader::Received received);
 
  private:

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "ros2/wire/local_sockets.hh"
+#include "shared/rtps/leases.hh"
 #include "support/process.hh"
 #include "support/rtps/announced.hh"
 #include "support/temp_folder.hh"

@@ -18,7 +18,7 @@ rtps::HistoryAttributes readerHistory() { return {rtps::PREALLOCATED_WITH_REALLO
 
 }  // namespace
 
-Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, bool tellsHash, Received received)
+Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received)
     : received_(std::move(received)), history_(readerHistory()), id_(guidOf(participant.getGuid())) {
   rtps::ReaderAttributes attributes;
   attributes.endpoint.topicKind = rtps::NO_KEY;
@@ -32,8 +32,7 @@ Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, boo
   if (reader_ == nullptr) throw std::runtime_error("DDS can't create a reader for '" + contract.topic + "'");
   id_ = guidOf(reader_->getGuid());
   namespace dds = eprosima::fastdds::dds;
-  if (!participant.registerReader(reader_, topicAttributesOf(contract),
-                                  endpointQosOf<dds::ReaderQos>(contract, tellsHash))) {
+  if (!participant.registerReader(reader_, topicAttributesOf(contract), endpointQosOf<dds::ReaderQos>(contract))) {
     rtps::RTPSDomain::removeRTPSReader(reader_);
     throw std::runtime_error("DDS can't announce the reader of '" + contract.topic + "'");
   }

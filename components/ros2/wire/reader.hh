@@ -21,7 +21,7 @@ class Reader final : private rtps::ReaderListener {
   using Received = std::function<void(const Sample&)>;
 
   /// @throws std::runtime_error if DDS fails.
-  Reader(rtps::RTPSParticipant& participant, const Contract& contract, bool tellsHash, Received received);
+  Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received);
   /// `received` is not called from then on.
   ~Reader() override;
   Reader(const Reader&) = delete;

@@ -61,14 +61,15 @@ rtps::HistoryAttributes writerHistory() { return {rtps::PREALLOCATED_WITH_REALLO
 
 }  // namespace
 
-Writer::Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract, bool tellsHash,
-               std::function<void()> readersChanged)
+Writer::Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract,
+               std::function<void()> readersChanged, IsFor isFor)
     : outbox_(outbox),
       topic_(contract.topic),
       keeps_(contract.qos.isTransientLocal),
       depth_(std::max<std::size_t>(contract.qos.depth, 1)),
       lifespan_(contract.qos.lifespan),
       readersChanged_(std::move(readersChanged)),
+      isFor_(std::move(isFor)),
       payloads_(std::make_shared<Payloads>(outbox)),
       history_(writerHistory()) {
   rtps::WriterAttributes attributes;
@@ -86,9 +87,9 @@ Writer::Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const
   writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, payloads_, &history_, this);
   if (writer_ == nullptr) throw std::runtime_error("DDS can't create a writer for '" + contract.topic + "'");
   id_ = guidOf(writer_->getGuid());
+  if (isFor_) writer_->reader_data_filter(this);
   namespace dds = eprosima::fastdds::dds;
-  if (!participant.registerWriter(writer_, topicAttributesOf(contract),
-                                  endpointQosOf<dds::WriterQos>(contract, tellsHash))) {
+  if (!participant.registerWriter(writer_, topicAttributesOf(contract), endpointQosOf<dds::WriterQos>(contract))) {
     rtps::RTPSDomain::removeRTPSWriter(writer_);
     throw std::runtime_error("DDS can't announce the writer of '" + contract.topic + "'");
   }
@@ -140,6 +141,10 @@ bool Writer::send(shared::Buffer* sample) {
   }
   history_.add_change(change, params);
   return true;
+}
+
+bool Writer::is_relevant(const rtps::CacheChange_t& change, const rtps::GUID_t& reader) const {
+  return isFor_(guidOf(reader), sampleIdOf(change.write_params.related_sample_identity()));
 }
 
 // Not in DDS's callback for acknowledged samples: in Fast DDS 2.9 it may run while a reader is being removed, with

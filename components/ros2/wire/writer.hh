@@ -4,6 +4,7 @@
 #include <fastdds/rtps/history/WriterHistory.h>
 #include <fastdds/rtps/participant/RTPSParticipant.h>
 #include <fastdds/rtps/writer/WriterListener.h>
+#include <fastdds/rtps/interfaces/IReaderDataFilter.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -25,13 +26,18 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 /// A writer on a topic. A payload is written once, to the memory from which DDS sends it to all readers. Writing never
 /// blocks: samples that a slow reader has not received are dropped according to its depth, and counted.
-class Writer final : private rtps::WriterListener, private shared::Outbox::Target {
+class Writer final : private rtps::WriterListener,
+                     private shared::Outbox::Target,
+                     private eprosima::fastdds::rtps::IReaderDataFilter {
  public:
+  /// Called from a thread of DDS: whether a payload with this `related` is sent to the reader. Always says the same.
+  using IsFor = std::function<bool(const Guid& reader, const SampleId& related)>;
+
   /// @param readersChanged Called from a DDS thread when a reader appears or disappears.
-  /// @param tellsHash Whether to announce the type's hash.
+  /// @param isFor See `IsFor`; empty: everything is for all readers.
   /// @throws std::runtime_error if DDS fails.
-  Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract, bool tellsHash,
-         std::function<void()> readersChanged);
+  Writer(rtps::RTPSParticipant& participant, shared::Outbox& outbox, const Contract& contract,
+         std::function<void()> readersChanged, IsFor isFor);
   /// Waits until DDS has everything that was written.
   ~Writer() override;
   Writer(const Writer&) = delete;
@@ -62,6 +68,7 @@ class Writer final : private rtps::WriterListener, private shared::Outbox::Targe
   bool send(shared::Buffer* sample) override;
   const std::string& topic() const override { return topic_; }
   std::size_t mostWaiting() const override { return depth_; }
+  bool is_relevant(const rtps::CacheChange_t& change, const rtps::GUID_t& reader) const override;
   void makeRoom();
   void dropOutlived();
   using rtps::WriterListener::onWriterMatched;
@@ -72,6 +79,7 @@ class Writer final : private rtps::WriterListener, private shared::Outbox::Targe
   std::size_t depth_;
   std::optional<std::chrono::seconds> lifespan_;
   std::function<void()> readersChanged_;
+  IsFor isFor_;
   std::shared_ptr<Payloads> payloads_;
   rtps::WriterHistory history_;
   std::atomic<std::uint64_t> sent_ = 0;
