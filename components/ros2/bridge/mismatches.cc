@@ -44,6 +44,12 @@ std::optional<std::string> mismatch(const Offer& offer, const Graph::Endpoint& t
     return theyWrite ? who + "not " + quality + ", but " + quality + " is required here: " + outcome
                      : who + quality + ", but it is published as not " + quality + ": " + outcome;
   }
+  const char* promise = theirs.contract.hasDeadline     ? "deadline"
+                        : theirs.contract.hasLiveliness ? "liveliness"
+                                                        : nullptr;
+  if (!theyWrite && promise != nullptr) {
+    return "a node subscribes to '" + offer.ros + "' with a " + promise + ", but it is published without: " + outcome;
+  }
   return std::nullopt;
 }
 

@@ -16,10 +16,10 @@ Offer scanOffer(const Qos& writer = kDefaultQos) {
   return {"/scan", "/lidar", findPair("sensor_msgs/msg/LaserScan", "ignition.msgs.LaserScan"), writer, std::nullopt};
 }
 Graph::Endpoint theirWriter(const char* topic, const char* type, const Qos& qos = kDefaultQos) {
-  return {{}, Graph::Role::kWriter, {topic, type, "", qos}};
+  return {{}, Graph::Role::kWriter, {.topic = topic, .type = type, .qos = qos}};
 }
 Graph::Endpoint theirReader(const char* topic, const char* type, const Qos& qos = kDefaultQos) {
-  return {{}, Graph::Role::kReader, {topic, type, "", qos}};
+  return {{}, Graph::Role::kReader, {.topic = topic, .type = type, .qos = qos}};
 }
 constexpr const char* kTwistOnWire = "geometry_msgs::msg::dds_::Twist_";
 constexpr const char* kScanOnWire = "sensor_msgs::msg::dds_::LaserScan_";
@@ -62,6 +62,20 @@ TEST(Mismatch, NamesTheQualityThatIsMissing) {
             "no messages");
   EXPECT_EQ(mismatch(commandOffer(kDefaultQos), theirWriter("rt/cmd_vel", kTwistOnWire, kBestEffortQos)),
             "a node publishes '/cmd_vel' as not reliable, but reliable is required here: no messages arrive");
+}
+
+TEST(Mismatch, NamesThePromiseThatAReaderWants) {
+  Graph::Endpoint theirs = theirReader("rt/scan", kScanOnWire);
+  theirs.contract.hasLiveliness = true;
+  EXPECT_EQ(mismatch(scanOffer(), theirs),
+            "a node subscribes to '/scan' with a liveliness, but it is published without: it receives no messages");
+  theirs.contract.hasDeadline = true;
+  EXPECT_EQ(mismatch(scanOffer(), theirs),
+            "a node subscribes to '/scan' with a deadline, but it is published without: it receives no messages");
+  // writers may promise more than is asked for
+  Graph::Endpoint writer = theirWriter("rt/cmd_vel", kTwistOnWire);
+  writer.contract.hasDeadline = true;
+  EXPECT_EQ(mismatch(commandOffer(), writer), std::nullopt);
 }
 
 }  // namespace

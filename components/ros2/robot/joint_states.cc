@@ -8,6 +8,7 @@ namespace pongsim::ros2 {
 
 void JointStates::add(const std::string& name, const std::vector<RobotJoints>& robots) {
   JointTopic& topic = topics_.emplace_back();
+  topic.name = ros_.resolve(name);
   for (const RobotJoints& each : robots) {
     for (const TreeLink& link : each.robot->tree.links) {
       if (!link.source) continue;
@@ -20,6 +21,12 @@ void JointStates::add(const std::string& name, const std::vector<RobotJoints>& r
   topic.message.velocity.resize(count);
   topic.message.effort.resize(count);
   topic.publisher = ros_.advertise<sensor_msgs::JointState>(name);
+}
+
+std::vector<std::string> JointStates::topics() const {
+  std::vector<std::string> names;
+  for (const JointTopic& topic : topics_) names.push_back(topic.name);
+  return names;
 }
 
 void JointStates::postUpdate(Time now) {

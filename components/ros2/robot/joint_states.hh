@@ -31,12 +31,16 @@ class JointStates {
   void clear() { topics_.clear(); }
   void add(const std::string& name, const std::vector<RobotJoints>& robots);
 
+  /// @return The absolute names of the topics.
+  std::vector<std::string> topics() const;
+
   void postUpdate(Time now);
   /// Call when time starts again.
   void reset() { schedule_.reset(); }
 
  private:
   struct JointTopic {
+    std::string name;
     std::unique_ptr<RosPublisher> publisher;
     std::vector<std::pair<Joint, int>> axes;
     sensor_msgs::JointState message;

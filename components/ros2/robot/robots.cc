@@ -18,11 +18,13 @@ Robots::Robots(const World& world, const Node& simulation, RosNode& ros, Bridge&
       robotSettings_(robotSettings),
       list_(world, settings.frames, robotSettings),
       jointStates_(ros, settings.frames, robotSettings.jointStateRate),
-      descriptions_(world, ros) {
+      descriptions_(world, ros),
+      rivals_(ros) {
   if (robotSettings.tellsTransforms) {
     bridge.reserve("/tf");
     bridge.reserve("/tf_static");
     transforms_.emplace(simulation, ros, settings, robotSettings);
+    rivals_.watchTransforms();
   }
   if (robotSettings.tellsDescription) bridge.reserve(plainName(kDescription));
   if (robotSettings.tellsJointStates) bridge.reserve(plainName(kJointStates));
@@ -47,22 +49,18 @@ void Robots::preUpdate(Time now) {
   if (transforms_) transforms_->preUpdate(now);
 }
 
-/// A robot_state_publisher would publish the same frames a second time.
+/// Two publishers of the same frames or joints, and readers jump between them.
 void Robots::lookForOthers(Time now) {
-  if (hasFoundOthers_ || !transforms_ || !looks_.isDue(now)) return;
+  if (!looks_.isDue(now)) return;
+  if (transforms_) rivals_.checkTransforms(transforms_->children());
   const Graph& graph = ros_.participant().graph();
   if (graph.version() == knownGraph_) return;
   knownGraph_ = graph.version();
-  const std::string topic = topicOnWire(plainName(kDescription));
-  for (const Graph::Endpoint& endpoint : graph.endpoints()) {
-    const bool isOther = endpoint.role == Graph::Role::kWriter && endpoint.contract.topic == topic &&
-                         !endpoint.id.isOfSameParticipant(ros_.participant().id());
-    if (!isOther) continue;
-    hasFoundOthers_ = true;
-    ros_.log().warning("another node publishes '" + plainName(kDescription) +
-                       "' too: if it is a robot_state_publisher, some frames now have two parents; "
-                       "set <tf> and <robot_description> to false to leave them to it");
-    return;
+  if (robotSettings_.tellsDescription) {
+    rivals_.checkTopic(plainName(kDescription), "--ros2-no-robot-description", "a robot has two descriptions");
+  }
+  for (const std::string& topic : jointStates_.topics()) {
+    rivals_.checkTopic(topic, "--ros2-no-joint-states", "joints have two sources");
   }
 }
 

@@ -11,6 +11,7 @@
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/robot/joint_states.hh"
+#include "ros2/robot/rival_publishers.hh"
 #include "ros2/robot/robot_descriptions.hh"
 #include "ros2/robot/robot_list.hh"
 #include "ros2/robot/robot_settings.hh"
@@ -49,14 +50,14 @@ class Robots {
   Settings settings_;
   RobotSettings robotSettings_;
   bool hasChanged_ = true;
-  /// Times to look for other nodes that describe robots, until one has been found.
+  /// Times to look for other nodes that publish the same.
   Schedule looks_{std::chrono::milliseconds(200)};
   std::uint64_t knownGraph_ = 0;
-  bool hasFoundOthers_ = false;
   RobotList list_;
   JointStates jointStates_;
   RobotDescriptions descriptions_;
   std::optional<Transforms> transforms_;
+  RivalPublishers rivals_;
 };
 
 }  // namespace pongsim::ros2

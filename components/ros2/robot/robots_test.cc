@@ -337,7 +337,7 @@ TEST_F(RobotsTest, WarnWhereAnotherNodeDescribesThemToo) {
   for (int i = 0; i < 500; ++i) step();
   const std::string said = testing::internal::GetCapturedStderr();
   ASSERT_TRUE(is);
-  const std::size_t first = said.find("another node publishes '/robot_description' too");
+  const std::size_t first = said.find("another node publishes '/robot_description', too");
   EXPECT_NE(first, std::string::npos) << said;
   EXPECT_EQ(said.find("another node publishes", first + 1), std::string::npos) << said;
 }

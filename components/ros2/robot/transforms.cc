@@ -299,6 +299,8 @@ void Transforms::receiveForeign(Foreign& foreign, const Message& message) {
 
 void Transforms::publishStatic(Time now) {
   mustPublishStatic_ = false;
+  // nodes keep static frames, so that an empty message has no effect
+  if (static_.message.transforms.empty()) return;
   for (geometry_msgs::TransformStamped& transform : static_.message.transforms) {
     transform.header.stamp = stampOf(now, frames_);
   }

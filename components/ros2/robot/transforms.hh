@@ -41,6 +41,8 @@ class Transforms {
   void preUpdate(Time now);
   /// Call in each step after the physics.
   void postUpdate(Time now);
+  /// @return The frames whose parent is published here.
+  const std::set<std::string>& children() const { return children_; }
   /// Call when time starts again.
   void reset() { schedule_.reset(); }
 
