@@ -92,7 +92,8 @@ Vector3 airfoilForce(const AirfoilSettings& airfoil, const Vector3& velocity, do
 }
 
 Vector3 airfoilMoment(const AirfoilSettings& airfoil, const Vector3& velocity, double momentOffset) {
-  if (isWithoutForce(airfoil, velocity)) return Vector3::Zero();
+  const bool hasMoment = airfoil.momentSlope != 0 || airfoil.momentSlopeStalled != 0 || momentOffset != 0;
+  if (!hasMoment || isWithoutForce(airfoil, velocity)) return Vector3::Zero();
   const Flow flow = flowAround(airfoil, velocity);
   const double pressure = airfoil.density / 2 * flow.velocity.squaredNorm();
   const double moment =
