@@ -71,7 +71,6 @@ void expectEnd() {
 bool isEnding() { return ending && !isEnder(); }
 
 Released::Released() {
-  // the calling thread has just come from a step that has stopped, and would go on to the next one
   if (isEnding()) hang();
   ++inside;
   ++depth;
@@ -79,6 +78,8 @@ Released::Released() {
 }
 
 Released::~Released() {
+  // its step has stopped early: nobody must take it for complete
+  if (isEnding()) hang();
   enter();
   PyEval_RestoreThread(state_);
   --entering;

@@ -57,6 +57,20 @@ def test_a_program_ends_while_a_thread_works(program):
         assert time.monotonic() - begin < 60
 
 
+def test_nobody_takes_a_step_that_has_stopped_early_for_complete():
+    program = """
+sim = pongsim.Simulation(BALL, systems=[Counts()])
+def run():
+    sim.run_until(8e9)
+    os.write(1, b"complete")
+threading.Thread(target=run, daemon=True).start()
+started.wait(60)
+"""
+    for _ in range(5):
+        done = subprocess.run([sys.executable, "-c", BEGIN + program], capture_output=True, text=True, timeout=120)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 def test_what_runs_at_the_end_can_step():
     done = subprocess.run([sys.executable, "-c", f"""
 import atexit
