@@ -92,10 +92,13 @@ const connection = new Connection(types, {
   nextAnimationFrame: (callback) => void requestAnimationFrame(callback),
   later: (callback, ms) => void setTimeout(callback, ms),
 });
+let before = connection.state;
 connection.stateChanged.on((now) => {
   showState();
   if (now === 'open') tokenForm.hide();
-  if (now === 'lost') void tokenForm.check(tokenQuery());
+  // the server has not let the page in
+  if (now === 'lost' && before === 'connecting') void tokenForm.check(tokenQuery());
+  before = now;
   if (now === 'lost' && connection.reason) log.add('error', connection.reason);
 });
 connection.servicesChanged.on(showWorlds);

@@ -8,6 +8,7 @@ import { openKeyPublisher } from '../panels/key_publisher.ts';
 import { openLidarPlot } from '../panels/lidar_plot.ts';
 import { openLights } from '../panels/lights.ts';
 import { openLog } from '../panels/log.ts';
+import { openPerformance } from '../panels/performance.ts';
 import { openPlot } from '../panels/plot.ts';
 import { openPointCloud } from '../panels/point_cloud.ts';
 import { openPublisher } from '../panels/publisher.ts';
@@ -42,6 +43,7 @@ export const kPanels: readonly PanelKind[] = [
     id: 'ViewAngle', also: ['VisualizationCapabilities', 'VisualizeContacts', 'CameraTracking', 'GridConfig'],
     title: 'View', place: 'left', open: openViewSettings,
   },
+  { id: 'Performance', title: 'Performance', place: 'right', open: openPerformance },
   { id: 'Log', title: 'Messages', place: 'bottom', open: openLog },
 ];
 

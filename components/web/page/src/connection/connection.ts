@@ -4,6 +4,7 @@ import { Latest } from './latest.ts';
 import { Outgoing } from './outgoing.ts';
 import { readFrame, readText, type Channel, type ServerFrame, type ServerMessage, type Service } from './protocol.ts';
 import { Requests } from './requests.ts';
+import { Traffic } from './traffic.ts';
 import { MessageTypes, type Message } from './types.ts';
 
 export type ConnectionState = 'connecting' | 'open' | 'lost';
@@ -65,6 +66,8 @@ export class Connection {
   readonly servicesChanged = new Emitter<void>();
   /// A status message of the server.
   readonly statusReceived = new Emitter<Status>();
+  /// What arrives for subscriptions.
+  readonly traffic = new Traffic();
   readonly timeReceived = new Emitter<bigint>();
 
   private socket: Socket | null = null;
@@ -241,6 +244,7 @@ export class Connection {
     const subscription = this.byId.get(id);
     const channel = subscription?.channel;
     if (!subscription || !channel) return;
+    this.traffic.add(subscription.topic, payload.length);
     for (const listener of [...subscription.listeners]) {
       if (listener.isEvery) listener.receive(payload, timeNs, channel);
       else this.latest.put(listener, () => listener.receive(payload, timeNs, channel));

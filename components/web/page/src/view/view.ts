@@ -87,6 +87,8 @@ export class View {
   private scale = 1;
   /// The scale of a picture that stays.
   private readonly fullScale: number;
+  private frames = 0;
+  private lastRender = { drawCalls: 0, triangles: 0 };
   private requestedAt = 0;
   private took = 0;
   private rest: ReturnType<typeof setTimeout> | undefined;
@@ -233,6 +235,8 @@ export class View {
     this.renewShadows(moved.length > 0);
     this.stage.batches.arrange(this.orbitCamera.camera, this.renderer.domElement.height);
     this.renderer.render(this.stage.root, this.orbitCamera.camera);
+    ++this.frames;
+    this.lastRender = { drawCalls: this.renderer.info.render.calls, triangles: this.renderer.info.render.triangles };
     this.silhouette.render(this.renderer, this.orbitCamera.camera);
   }
 
@@ -444,14 +448,9 @@ export class View {
     else this.orbitCamera.zoom(move.zoom);
   }
 
-  /// Number of draw calls in the last frame, including those for shadows.
-  get drawCalls(): number {
-    return this.renderer.info.render.calls;
-  }
-
-  /// Number of triangles in the last frame, without those for shadows.
-  get triangles(): number {
-    return this.renderer.info.render.triangles;
+  /// Frames so far, the last one's fraction of the full resolution, and its draw calls and triangles without those for shadows.
+  get statistics(): { frames: number; scale: number; drawCalls: number; triangles: number } {
+    return { frames: this.frames, scale: this.scale, ...this.lastRender };
   }
 
   /// The view as a PNG file.

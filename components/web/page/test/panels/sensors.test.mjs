@@ -104,4 +104,16 @@ test('messages of any topic are echoed', async () => {
   await echo.getByText(/^\d+(?:\.\d+)? per second$/).waitFor();
 });
 
+test('the performance panel has frames, the time of a request, and what arrives', async () => {
+  const { tab } = page;
+  const performance = await openPanel(tab, 'Performance');
+  const row = performance.locator('tr', { has: tab.locator('td', { hasText: /^\/camera$/ }) });
+  // images of 64 x 48 pixels with 3 bytes, ten times a simulated second
+  await until(() => row.locator('td').nth(2).textContent(), (text) => /kB$/.test(text) && parseFloat(text) > 9, 'images');
+  await until(() => tab.locator('#performance-trip').textContent(), (text) => /^\d+ ms$/.test(text), 'an answer');
+  await until(() => tab.locator('#performance-work').textContent(), (text) => parseInt(text, 10) > 0, 'a frame');
+  await until(() => tab.locator('#performance-frames').textContent(), (text) => /per second/.test(text), 'frames');
+  assert.match(await tab.locator('#performance-total').textContent(), /B per second/);
+});
+
 test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));

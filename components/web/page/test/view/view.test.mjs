@@ -501,7 +501,7 @@ describe('the view', { skip: without }, () => {
         window.view.applyFrame({ timeNs: 0n, revision: 0, ids, poses });
         cost += performance.now() - begin;
         await window.drawn();
-        calls = window.view.drawCalls;
+        calls = window.view.statistics.drawCalls;
       }
       return { calls, cost: cost / 10 };
     });
@@ -515,7 +515,7 @@ describe('the view', { skip: without }, () => {
       scenes.model(10 + 4 * i, [3 * (i % 60), 3 * (Math.floor(i / 60) - 25), 0.5], sphere, scenes.paint(0.1, 0.2, 0.9)));
     const light = { ...scenes.sun, direction: { x: 1, z: -0.3 } };
     await show(scenes.scene([scenes.ground, ...models], { light: [light] }), { position: [-2, 0.5, 1.5], orientation: [0, 0.2474, 0, 0.9689] });
-    const triangles = await tab.evaluate(() => window.view.triangles);
+    const triangles = await tab.evaluate(() => window.view.statistics.triangles);
     console.log(`3,000 spheres: ${triangles} triangles`);
     // each has 2,208
     assert.ok(triangles > 5000 && triangles < (3000 * 2208) / 20, `${triangles} triangles`);
