@@ -16,10 +16,10 @@ Offer scanOffer(const Qos& writer = kDefaultQos) {
   return {"/scan", "/lidar", findPair("sensor_msgs/msg/LaserScan", "ignition.msgs.LaserScan"), writer, std::nullopt};
 }
 Graph::Endpoint theirWriter(const char* topic, const char* type, const Qos& qos = kDefaultQos) {
-  return {{}, Graph::Role::kWriter, {.topic = topic, .type = type, .qos = qos}};
+  return {{}, Graph::Role::kWriter, {.topic = topic, .type = type, .typeHash = "", .qos = qos}};
 }
 Graph::Endpoint theirReader(const char* topic, const char* type, const Qos& qos = kDefaultQos) {
-  return {{}, Graph::Role::kReader, {.topic = topic, .type = type, .qos = qos}};
+  return {{}, Graph::Role::kReader, {.topic = topic, .type = type, .typeHash = "", .qos = qos}};
 }
 constexpr const char* kTwistOnWire = "geometry_msgs::msg::dds_::Twist_";
 constexpr const char* kScanOnWire = "sensor_msgs::msg::dds_::LaserScan_";
