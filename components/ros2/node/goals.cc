@@ -1,8 +1,8 @@
 #include "ros2/node/goals.hh"
 
 #include <algorithm>
-#include <utility>
 #include <tuple>
+#include <utility>
 
 namespace pongsim::ros2 {
 
