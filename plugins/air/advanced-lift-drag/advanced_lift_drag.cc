@@ -154,5 +154,5 @@ void AdvancedLiftDrag::configure(const SystemContext& context) {
 
 }  // namespace pongsim
 
-PONGSIM_EXPORT_SYSTEM(pongsim::AdvancedLiftDrag, "ignition::gazebo::systems::AdvancedLiftDrag",
-                      "gz::sim::systems::AdvancedLiftDrag");
+PONGSIM_EXPORT_SYSTEM(pongsim::AdvancedLiftDrag, "gz::sim::systems::AdvancedLiftDrag",
+                      "ignition::gazebo::systems::AdvancedLiftDrag");

@@ -52,5 +52,5 @@ class LighterThanAirDynamics : public System {
 
 }  // namespace pongsim
 
-PONGSIM_EXPORT_SYSTEM(pongsim::LighterThanAirDynamics, "ignition::gazebo::systems::LighterThanAirDynamics",
-                      "gz::sim::systems::LighterThanAirDynamics");
+PONGSIM_EXPORT_SYSTEM(pongsim::LighterThanAirDynamics, "gz::sim::systems::LighterThanAirDynamics",
+                      "ignition::gazebo::systems::LighterThanAirDynamics");

@@ -143,5 +143,5 @@ class DriveToPoseController : public System {
 
 }  // namespace pongsim
 
-PONGSIM_EXPORT_SYSTEM(pongsim::DriveToPoseController, "ignition::gazebo::systems::DriveToPoseController",
-                      "gz::sim::systems::DriveToPoseController");
+PONGSIM_EXPORT_SYSTEM(pongsim::DriveToPoseController, "gz::sim::systems::DriveToPoseController",
+                      "ignition::gazebo::systems::DriveToPoseController");

@@ -76,5 +76,5 @@ class SpacecraftThrusterModel : public System {
 
 }  // namespace pongsim
 
-PONGSIM_EXPORT_SYSTEM(pongsim::SpacecraftThrusterModel, "ignition::gazebo::systems::SpacecraftThrusterModel",
-                      "gz::sim::systems::SpacecraftThrusterModel");
+PONGSIM_EXPORT_SYSTEM(pongsim::SpacecraftThrusterModel, "gz::sim::systems::SpacecraftThrusterModel",
+                      "ignition::gazebo::systems::SpacecraftThrusterModel");
