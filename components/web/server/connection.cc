@@ -131,21 +131,14 @@ bool Connection::closeNow(const Closing& closing) {
   return false;
 }
 
-bool Connection::receive(std::string_view part, std::size_t rest, bool isLastPiece, bool isBinary, const Logger& log) {
-  if (isClosing()) return true;
+void Connection::receive(std::string_view part, std::size_t rest, bool isLastPiece, bool isBinary, const Logger& log) {
+  if (isClosing()) return;
   const std::size_t room = limits_.messageBytes - message_.size();
-  if (part.size() > room || rest > room - part.size()) {
-    // the rest is read and dropped: if it were not, the system would reset the connection, and the client would not get
-    // the reason
-    message_ = {};
-    close(LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
-          "a message can have up to " + std::to_string(limits_.messageBytes) + " bytes");
-    return true;
-  }
+  if (isTooLong_ || part.size() > room || rest > room - part.size()) return dropTooLong(rest);
   const bool isWhole = rest == 0 && isLastPiece;
   if (isWhole && message_.empty()) {
     deliver(part, isBinary, log);
-    return true;
+    return;
   }
   message_.append(part);
   if (isWhole) {
@@ -153,7 +146,16 @@ bool Connection::receive(std::string_view part, std::size_t rest, bool isLastPie
     message_.clear();
     if (message_.capacity() > kKeptMessage) message_.shrink_to_fit();
   }
-  return true;
+}
+
+void Connection::dropTooLong(std::size_t rest) {
+  message_ = {};
+  if (!isTooLong_) lws_set_timeout(socket_, PENDING_TIMEOUT_CLOSE_SEND, static_cast<int>(limits_.handshake.count()));
+  isTooLong_ = true;
+  // if the connection were closed before, the system would reset it, and the client would not get the reason
+  if (rest > 0) return;
+  close(LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
+        "a message can have up to " + std::to_string(limits_.messageBytes) + " bytes");
 }
 
 void Connection::deliver(std::string_view message, bool isBinary, const Logger& log) {

@@ -51,8 +51,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   bool write(std::vector<unsigned char>& buffer);
   /// A part of a message has arrived.
   /// @param rest Number of bytes of this fragment still to come.
-  /// @return Whether the connection stays open.
-  bool receive(std::string_view part, std::size_t rest, bool isLastPiece, bool isBinary, const Logger& log);
+  void receive(std::string_view part, std::size_t rest, bool isLastPiece, bool isBinary, const Logger& log);
   /// The socket is gone.
   void ended();
 
@@ -65,6 +64,8 @@ class Connection final : public Client, public Callee, public std::enable_shared
   void add(ClientQueue::Item item);
   void wake();
   bool isClosing() const;
+  /// Reads a fragment of a message that is too long to its end, and closes the connection there.
+  void dropTooLong(std::size_t rest);
   void deliver(std::string_view message, bool isBinary, const Logger& log);
   bool writePiece(std::vector<unsigned char>& buffer);
   /// @return Always false.
@@ -85,6 +86,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   std::optional<ClientQueue::Item> current_;
   std::size_t written_ = 0;
   std::string message_;
+  bool isTooLong_ = false;
 };
 
 }  // namespace pongsim::web

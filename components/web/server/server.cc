@@ -378,10 +378,9 @@ class Server::Loop {
   int receive(lws* socket, std::string_view part) {
     const auto found = connections_.find(socket);
     if (found == connections_.end()) return -1;
-    const bool goesOn =
-        found->second->receive(part, lws_remaining_packet_payload(socket), lws_is_final_fragment(socket) != 0,
-                               lws_frame_is_binary(socket) != 0, log_);
-    return goesOn ? 0 : -1;
+    found->second->receive(part, lws_remaining_packet_payload(socket), lws_is_final_fragment(socket) != 0,
+                           lws_frame_is_binary(socket) != 0, log_);
+    return 0;
   }
 
   int write(lws* socket) {
