@@ -4,17 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text.hh"
+
 namespace pongsim::base {
 
 namespace {
-
-constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kWhiteSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
-}
 
 /// @return Whether the decimal number `digits`, which is out of a double's range, is too large rather than too small.
 bool isTooLarge(std::string_view digits) {

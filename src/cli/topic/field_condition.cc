@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/parse_number.hh"
+#include "base/text.hh"
 #include "shared/program/failure.hh"
 
 namespace pongsim::cli {
@@ -15,12 +16,6 @@ using Comparison = FieldCondition::Comparison;
 constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
     {"==", Comparison::kEqual}, {"!=", Comparison::kUnequal}, {"<=", Comparison::kAtMost}, {">=", Comparison::kAtLeast},
     {"<", Comparison::kLess},   {">", Comparison::kMore},     {"=", Comparison::kEqual}};
-
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(' ') - begin + 1));
-}
 
 template <class Value>
 bool holds(const Value& left, Comparison comparison, const Value& right) {
@@ -52,7 +47,8 @@ FieldCondition FieldCondition::parse(std::string_view text) {
   const std::size_t place = text.find_first_of("=!<>");
   for (const auto& [sign, comparison] : kComparisons) {
     if (place == std::string_view::npos || !text.substr(place).starts_with(sign)) continue;
-    FieldCondition condition{trimmed(text.substr(0, place)), comparison, trimmed(text.substr(place + sign.size()))};
+    FieldCondition condition{std::string(base::trimmed(text.substr(0, place), " ")), comparison,
+                             std::string(base::trimmed(text.substr(place + sign.size()), " "))};
     if (condition.path.empty() || condition.value.empty()) break;
     return condition;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/nearest_word.hh"
+#include "base/text.hh"
 #include "msgs/encoding/text_context.hh"
 #include "msgs/types/type_source.hh"
 #include "pongsim/message.hh"
@@ -75,12 +76,6 @@ std::vector<std::string_view> fieldsOf(const protobuf::Descriptor& type) {
   return fields;
 }
 
-std::string join(const std::vector<std::string_view>& words) {
-  std::string all;
-  for (std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
-  return all;
-}
-
 /// @return A user-friendly name for the kind of value a field takes.
 std::string kindOf(const protobuf::FieldDescriptor& field) {
   switch (field.cpp_type()) {
@@ -90,7 +85,7 @@ std::string kindOf(const protobuf::FieldDescriptor& field) {
     case protobuf::FieldDescriptor::CPPTYPE_FLOAT:
       return "a number";
     case protobuf::FieldDescriptor::CPPTYPE_ENUM:
-      return "one of " + join(valuesOf(*field.enum_type()));
+      return "one of " + base::listed(valuesOf(*field.enum_type()));
     case protobuf::FieldDescriptor::CPPTYPE_STRING:
       return "text in quotes";
     case protobuf::FieldDescriptor::CPPTYPE_MESSAGE:
@@ -116,7 +111,7 @@ MessageError unknownField(std::string_view typeName, std::string_view field) {
   const std::vector<std::string_view> known = fieldsOf(*type);
   // names of one or two letters are all similar to each other
   if (field.size() > 2) error.hint = base::didYouMean(field, known);
-  if (error.hint.empty()) error.hint = known.empty() ? "it has no fields" : "its fields: " + join(known);
+  if (error.hint.empty()) error.hint = known.empty() ? "it has no fields" : "its fields: " + base::listed(known);
   return error;
 }
 
@@ -125,7 +120,7 @@ MessageError unknownEnumValue(std::string_view value, std::string_view name, con
   if (context.field == nullptr || context.field->enum_type() == nullptr) return error;
   const std::vector<std::string_view> known = valuesOf(*context.field->enum_type());
   error.hint = base::didYouMean(value, known);
-  error.hint += (error.hint.empty() ? "" : " ") + ("its values: " + join(known));
+  error.hint += (error.hint.empty() ? "" : " ") + ("its values: " + base::listed(known));
   return error;
 }
 

@@ -14,14 +14,6 @@ namespace pongsim::sdf {
 
 namespace {
 
-std::string trimmed(std::string text) {
-  const std::size_t first = text.find_first_not_of(kWhiteSpace);
-  if (first == std::string::npos) return {};
-  text.erase(text.find_last_not_of(kWhiteSpace) + 1);
-  text.erase(0, first);
-  return text;
-}
-
 /// Copies tinyxml2's tree and computes columns, which tinyxml2 does not know. tinyxml2's names of elements and
 /// attributes point into its copy of the text, so their offsets from the first node are known.
 class TreeCopier {
@@ -57,7 +49,7 @@ class TreeCopier {
       if (const tinyxml2::XMLElement* element = child->ToElement()) copy(*element, to.children.emplace_back());
       if (const tinyxml2::XMLText* text = child->ToText()) to.text += text->Value();
     }
-    to.text = trimmed(std::move(to.text));
+    to.text = std::string(base::trimmed(to.text));
     check(to.text, to.position);
   }
 

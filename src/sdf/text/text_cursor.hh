@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/text.hh"
+
 namespace pongsim::sdf {
 
 /// Characters that separate words, like isspace in the C locale.
-inline constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
+using base::kWhiteSpace;
 
 /// Converts offsets to lines and columns. Offsets must not decrease, so that all together take one pass.
 class TextCursor {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/parse_number.hh"
+#include "base/text.hh"
 
 namespace pongsim::sim {
 
@@ -16,9 +17,7 @@ constexpr std::string_view kSpace = " \t\r";
 
 /// @return Without surrounding white space and double quotes.
 std::string_view bare(std::string_view cell) {
-  const std::size_t first = cell.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  cell = cell.substr(first, cell.find_last_not_of(kSpace) - first + 1);
+  cell = base::trimmed(cell, kSpace);
   const bool isQuoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
   return isQuoted ? cell.substr(1, cell.size() - 2) : cell;
 }
@@ -40,12 +39,6 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
     if (comma == std::string_view::npos) return;
     line.remove_prefix(comma + 1);
   }
-}
-
-std::string listed(const std::vector<std::string_view>& names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
 }
 
 /// Reads the lines below the header.
@@ -103,7 +96,7 @@ Outcome<void> EnvironmentTable::read(std::string_view csv, const EnvironmentSett
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = std::ranges::find(header, names[i]);
     if (found == header.end()) {
-      return {"it has no column '" + std::string(names[i]) + "', but " + listed(header)};
+      return {"it has no column '" + std::string(names[i]) + "', but " + base::listed(header)};
     }
     named[i] = static_cast<std::size_t>(found - header.begin());
     if (std::find(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(i), named[i]) !=
