@@ -153,12 +153,32 @@ void StateVector::add(const Model& top, const std::vector<Free>& free) {
   }
 }
 
+Pose StateVector::Free::pose() const { return model ? model->pose() : link.pose(); }
+
+Twist StateVector::Free::velocity() const {
+  return model ? velocityOf(*model) : Twist{link.linearVelocity(), link.angularVelocity()};
+}
+
+Outcome<void> StateVector::Free::setPose(const Pose& pose) { return model ? model->setPose(pose) : link.setPose(pose); }
+
+void StateVector::Free::setVelocity(const Twist& twist) {
+  if (model) {
+    model->setVelocity(twist.linear, twist.angular);
+  } else {
+    link.setVelocity(twist.linear, twist.angular);
+  }
+}
+
+void StateVector::Free::checkCanBeSet(const std::string& name) const {
+  if (!canBeSet) raise("Refused", "'" + name + "' is a part of several models, or one of several in its model");
+}
+
 void StateVector::readPositions(std::span<double> to) const {
   auto free = free_.begin();
   auto joint = joints_.begin();
   for (const Piece& piece : pieces_) {
     if (piece.isFree) {
-      putPose(free->model ? free->model->pose() : free->link.pose(), to.subspan(piece.position));
+      putPose(free->pose(), to.subspan(piece.position));
       ++free;
       continue;
     }
@@ -172,9 +192,7 @@ void StateVector::readVelocities(std::span<double> to) const {
   auto joint = joints_.begin();
   for (const Piece& piece : pieces_) {
     if (piece.isFree) {
-      const Link& link = free->link;
-      const Twist twist = free->model ? velocityOf(*free->model) : Twist{link.linearVelocity(), link.angularVelocity()};
-      putTwist(twist, to.subspan(piece.velocity));
+      putTwist(free->velocity(), to.subspan(piece.velocity));
       ++free;
       continue;
     }
@@ -183,67 +201,54 @@ void StateVector::readVelocities(std::span<double> to) const {
   }
 }
 
-void StateVector::setPositions(std::span<const double> positions) {
-  // joints first: they may move the link that a model's pose is that of
+void StateVector::setJoints(std::span<const double> numbers, std::size_t Piece::*place, double (Joint::*now)(int) const,
+                            Outcome<void> (Joint::*set)(double, int)) {
   auto joint = joints_.begin();
   for (const Piece& piece : pieces_) {
     if (piece.isFree) continue;
     for (std::size_t i = 0; i < piece.positions; ++i) {
-      const double wanted = positions[piece.position + i];
+      const double wanted = numbers[piece.*place + i];
       const auto axis = static_cast<int>(i);
-      if (joint->position(axis) == wanted) continue;
-      const Outcome<void> done = joint->resetPosition(wanted, axis);
+      if (((*joint).*now)(axis) == wanted) continue;
+      const Outcome<void> done = ((*joint).*set)(wanted, axis);
       if (!done) raise("Refused", "joint '" + piece.name + "': " + done.error);
     }
     ++joint;
-  }
-  auto free = free_.begin();
-  for (const Piece& piece : pieces_) {
-    if (!piece.isFree) continue;
-    Free& each = *free++;
-    const auto wanted = positions.subspan(piece.position, kPoseSize);
-    std::array<double, kPoseSize> now;
-    putPose(each.model ? each.model->pose() : each.link.pose(), now);
-    if (std::ranges::equal(wanted, now)) continue;
-    if (!each.canBeSet)
-      raise("Refused", "'" + piece.name + "' is a part of several models, or one of several in its model");
-    const Pose pose = poseIn(wanted, piece.name.c_str());
-    const Outcome<void> done = each.model ? each.model->setPose(pose) : each.link.setPose(pose);
-    if (!done) raise("Refused", "'" + piece.name + "': " + done.error);
   }
 }
 
-void StateVector::setVelocities(std::span<const double> velocities) {
-  auto joint = joints_.begin();
-  for (const Piece& piece : pieces_) {
-    if (piece.isFree) continue;
-    for (std::size_t i = 0; i < piece.velocities; ++i) {
-      const double wanted = velocities[piece.velocity + i];
-      const auto axis = static_cast<int>(i);
-      if (joint->velocity(axis) == wanted) continue;
-      const Outcome<void> done = joint->resetVelocity(wanted, axis);
-      if (!done) raise("Refused", "joint '" + piece.name + "': " + done.error);
-    }
-    ++joint;
-  }
+template <class Function>
+void StateVector::forEachFree(Function function) {
   auto free = free_.begin();
   for (const Piece& piece : pieces_) {
-    if (!piece.isFree) continue;
-    Free& each = *free++;
+    if (piece.isFree) function(piece, *free++);
+  }
+}
+
+void StateVector::setPositions(std::span<const double> positions) {
+  // joints first: they may move the link that a model's pose is that of
+  setJoints(positions, &Piece::position, &Joint::position, &Joint::resetPosition);
+  forEachFree([&](const Piece& piece, Free& free) {
+    const auto wanted = positions.subspan(piece.position, kPoseSize);
+    std::array<double, kPoseSize> now;
+    putPose(free.pose(), now);
+    if (std::ranges::equal(wanted, now)) return;
+    free.checkCanBeSet(piece.name);
+    const Outcome<void> done = free.setPose(poseIn(wanted, piece.name.c_str()));
+    if (!done) raise("Refused", "'" + piece.name + "': " + done.error);
+  });
+}
+
+void StateVector::setVelocities(std::span<const double> velocities) {
+  setJoints(velocities, &Piece::velocity, &Joint::velocity, &Joint::resetVelocity);
+  forEachFree([&](const Piece& piece, Free& free) {
     const auto wanted = velocities.subspan(piece.velocity, kTwistSize);
     std::array<double, kTwistSize> now;
-    const Link& link = each.link;
-    putTwist(each.model ? velocityOf(*each.model) : Twist{link.linearVelocity(), link.angularVelocity()}, now);
-    if (std::ranges::equal(wanted, now)) continue;
-    if (!each.canBeSet)
-      raise("Refused", "'" + piece.name + "' is a part of several models, or one of several in its model");
-    const Twist twist = twistIn(wanted);
-    if (each.model) {
-      each.model->setVelocity(twist.linear, twist.angular);
-    } else {
-      each.link.setVelocity(twist.linear, twist.angular);
-    }
-  }
+    putTwist(free.velocity(), now);
+    if (std::ranges::equal(wanted, now)) return;
+    free.checkCanBeSet(piece.name);
+    free.setVelocity(twistIn(wanted));
+  });
 }
 
 void StateVector::write(std::optional<std::span<const double>> positions,

@@ -14,6 +14,12 @@
 
 namespace pongsim::python {
 
+/// Velocity of a model's frame: that of its origin [m/s] and the angular velocity [rad/s], in the world frame.
+struct Twist {
+  Vector3 linear = Vector3::Zero();
+  Vector3 angular = Vector3::Zero();
+};
+
 /// Everything that moves, as a vector of positions and one of velocities: for each top-level model first what is free
 /// (7 positions: x, y, z and a quaternion x, y, z, w; 6 velocities: linear and angular), then the axes of its joints.
 /// All in the world frame, and joints in [rad or m].
@@ -49,9 +55,23 @@ class StateVector {
     std::optional<Model> model;
     /// Whether it can be set: it is a whole model, or a link without joints.
     bool canBeSet;
+
+    Pose pose() const;
+    Twist velocity() const;
+    Outcome<void> setPose(const Pose& pose);
+    void setVelocity(const Twist& twist);
+    /// @throws Refused if it can't be set.
+    void checkCanBeSet(const std::string& name) const;
   };
   static std::vector<std::uint64_t> countOf(Simulation& simulation);
   void add(const Model& top, const std::vector<Free>& free);
+  /// Calls a function with each free piece and what it is, in order.
+  template <class Function>
+  void forEachFree(Function function);
+  /// Sets the axes of joints whose number differs.
+  /// @param place Where a piece's numbers begin.
+  void setJoints(std::span<const double> numbers, std::size_t Piece::*place, double (Joint::*now)(int) const,
+                 Outcome<void> (Joint::*set)(double, int));
   void setPositions(std::span<const double> positions);
   void setVelocities(std::span<const double> velocities);
 
@@ -64,11 +84,6 @@ class StateVector {
   std::size_t velocityCount_ = 0;
 };
 
-/// Velocity of a model's frame: that of its origin [m/s] and the angular velocity [rad/s], in the world frame.
-struct Twist {
-  Vector3 linear = Vector3::Zero();
-  Vector3 angular = Vector3::Zero();
-};
 /// @return Zero for a model without links.
 Twist velocityOf(const Model& model);
 
