@@ -18,6 +18,7 @@
 
 #include "ign/names.hh"
 #include "pongsim/commands.hh"
+#include "support/ign/bridged_peers.hh"
 #include "support/process.hh"
 #include "support/wait_until.hh"
 
@@ -35,45 +36,16 @@ StringMsg textOf(const std::string& content) {
 
 constexpr int kQueue = 20;
 
-/// A transport with a bridge, and ign-transport programs in other processes.
-class BridgeTest : public testing::Test {
+class BridgeTest : public BridgedPeers {
  protected:
+  BridgeTest() : BridgedPeers(IGN_PEER, Generation::kIgn) {}
   static void SetUpTestSuite() {
-    setenv("IGN_PARTITION", ("bridge_test_" + std::to_string(getpid())).c_str(), 1);
-    setenv("IGN_IP", "127.0.0.1", 1);
+    usePartition("bridge_test");
     setenv("IGN_TRANSPORT_SNDHWM", std::to_string(kQueue).c_str(), 1);
-  }
-
-  void step() {
-    transport_.dispatchFor(std::chrono::milliseconds(1));
-    bridge_.update();
-  }
-  /// Steps until the condition holds.
-  bool stepUntil(const std::function<bool()>& condition) {
-    return test::waitUntil([&] {
-      step();
-      return condition();
-    });
-  }
-  std::unique_ptr<Process> peer(std::vector<std::string> words, const std::string& isReady = "ready") {
-    words.insert(words.begin(), IGN_PEER);
-    auto process = std::make_unique<Process>(words);
-    if (!isReady.empty()) {
-      EXPECT_TRUE(process->waitForOutput(isReady)) << process->error();
-    }
-    return process;
-  }
-  bool stepUntilSaid(const Process& process, const std::string& text) {
-    return stepUntil([&] { return process.output().find(text) != std::string::npos; });
   }
   Subscription note(const std::string& topic, std::vector<std::string>& heard) {
     return node_.subscribe<StringMsg>(topic, [&heard](const StringMsg& message) { heard.push_back(message.data()); });
   }
-
-  Transport transport_{{.network = false}};
-  Node node_ = transport_.node();
-  Logger log_{"test"};
-  Bridge bridge_{node_, log_, "127.0.0.1", Generation::kIgn};
 };
 
 TEST_F(BridgeTest, TakesATopicThereWhileSomebodyListens) {

@@ -19,6 +19,7 @@
 #include "ign/library.hh"
 #include "ign/names.hh"
 #include "ign/subscriber_list.hh"
+#include "support/ign/bridged_peers.hh"
 #include "support/ign/discovery_packet.hh"
 #include "support/process.hh"
 #include "support/wait_until.hh"
@@ -29,40 +30,10 @@ namespace {
 using ignition::msgs::StringMsg;
 using test::Process;
 
-class GzBridgeTest : public testing::Test {
+class GzBridgeTest : public BridgedPeers {
  protected:
-  static void SetUpTestSuite() {
-    setenv("IGN_PARTITION", ("gz_bridge_test_" + std::to_string(getpid())).c_str(), 1);
-    setenv("IGN_IP", "127.0.0.1", 1);
-  }
-
-  /// Steps until the condition holds.
-  bool stepUntil(const std::function<bool()>& condition) {
-    return test::waitUntil([&] {
-      step();
-      return condition();
-    });
-  }
-  void step() {
-    transport_.dispatchFor(std::chrono::milliseconds(1));
-    bridge_.update();
-  }
-  std::unique_ptr<Process> peer(std::vector<std::string> words, const std::string& isReady = "ready") {
-    words.insert(words.begin(), GZ_PEER);
-    auto process = std::make_unique<Process>(words);
-    if (!isReady.empty()) {
-      EXPECT_TRUE(process->waitForOutput(isReady)) << process->error();
-    }
-    return process;
-  }
-  bool stepUntilSaid(const Process& process, const std::string& text) {
-    return stepUntil([&] { return process.output().find(text) != std::string::npos; });
-  }
-
-  Transport transport_{{.network = false}};
-  Node node_ = transport_.node();
-  Logger log_{"test"};
-  Bridge bridge_{node_, log_, "127.0.0.1", Generation::kGz};
+  GzBridgeTest() : BridgedPeers(GZ_PEER, Generation::kGz) {}
+  static void SetUpTestSuite() { usePartition("gz_bridge_test"); }
 };
 
 TEST_F(GzBridgeTest, SendsTopicsWithTheirLaterTypes) {
