@@ -71,3 +71,19 @@ export async function openView(flags = []) {
   };
   return { tab, errors, close };
 }
+
+/// Shows a scene from a viewpoint, and waits until it has been drawn.
+export async function show(tab, scene, eye) {
+  await tab.evaluate(async ([message, pose]) => {
+    window.view.setScene(message);
+    window.view.setCamera(pose);
+    await window.drawn();
+  }, [scene, eye]);
+}
+
+/// The colour of a pixel; x and y from 0 to 1.
+export const colorAt = (tab, x, y) => tab.evaluate(([a, b]) => window.colorAt(a, b), [x, y]);
+
+/// Why tests of the view are skipped, or false.
+export const without = browserPath() !== undefined
+  ? false : 'not run: there is no Chromium on this machine (PONGSIM_CHROMIUM=PATH names one)';

@@ -2,31 +2,21 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 
-import { browserPath, openView } from './browser.mjs';
+import * as browser from './browser.mjs';
 import * as scenes from './scenes.mjs';
 
-const without = browserPath() !== undefined ? false : 'not run: there is no Chromium on this machine (PONGSIM_CHROMIUM=PATH names one)';
-
-describe('the looks of the view', { skip: without }, () => {
+describe('the looks of the view', { skip: browser.without }, () => {
   let opened;
   let tab;
   before(async () => {
-    opened = await openView();
+    opened = await browser.openView();
     tab = opened.tab;
     await tab.waitForFunction(() => 'view' in window);
   });
   after(async () => opened?.close());
 
-  /// Shows a scene from a viewpoint, and waits until it has been drawn.
-  async function show(scene, eye) {
-    await tab.evaluate(async ([message, pose]) => {
-      window.view.setScene(message);
-      window.view.setCamera(pose);
-      await window.drawn();
-    }, [scene, eye]);
-  }
-
-  const colorAt = (x, y) => tab.evaluate(([a, b]) => window.colorAt(a, b), [x, y]);
+  const show = (scene, eye) => browser.show(tab, scene, eye);
+  const colorAt = (x, y) => browser.colorAt(tab, x, y);
 
   for (const theme of ['dark', 'light']) {
     test(`what is selected has a line around it that is seen on ${theme} ground`, async () => {

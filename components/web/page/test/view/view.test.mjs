@@ -3,21 +3,18 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { after, before, beforeEach, describe, test } from 'node:test';
 
-import { browserPath, openView } from './browser.mjs';
+import * as browser from './browser.mjs';
 import * as scenes from './scenes.mjs';
 
 // largest allowed differences from the golden images: graphics drivers round differently
 const meanLimit = 2;
 const shareLimit = 0.01;
 
-const isHere = browserPath() !== undefined;
-const without = isHere ? false : 'not run: there is no Chromium on this machine (PONGSIM_CHROMIUM=PATH names one)';
-
-describe('the view', { skip: without }, () => {
+describe('the view', { skip: browser.without }, () => {
   let opened;
   let tab;
   before(async () => {
-    opened = await openView();
+    opened = await browser.openView();
     tab = opened.tab;
     await tab.waitForFunction(() => 'view' in window);
   });
@@ -36,16 +33,8 @@ describe('the view', { skip: without }, () => {
     });
   });
 
-  /// Shows a scene from a viewpoint, and waits until it has been drawn.
-  async function show(scene, eye) {
-    await tab.evaluate(async ([message, pose]) => {
-      window.view.setScene(message);
-      window.view.setCamera(pose);
-      await window.drawn();
-    }, [scene, eye]);
-  }
-
-  const colorAt = (x, y) => tab.evaluate(([a, b]) => window.colorAt(a, b), [x, y]);
+  const show = (scene, eye) => browser.show(tab, scene, eye);
+  const colorAt = (x, y) => browser.colorAt(tab, x, y);
   const events = () => tab.evaluate(() => window.events);
   const frame = (ids, poses) => tab.evaluate(([i, p]) => window.view.applyFrame({
     timeNs: 0n, revision: 0, ids: new Uint32Array(i), poses: new Float32Array(p),
@@ -471,8 +460,8 @@ describe('the view', { skip: without }, () => {
   test('the page has logged no error', () => assert.deepEqual(opened.errors, []));
 });
 
-test('without WebGL the view says so', { skip: without }, async () => {
-  const opened = await openView(['--disable-3d-apis']);
+test('without WebGL the view says so', { skip: browser.without }, async () => {
+  const opened = await browser.openView(['--disable-3d-apis']);
   try {
     const deadline = Date.now() + 20_000;
     while (opened.errors.length === 0 && Date.now() < deadline) await opened.tab.evaluate(() => new Promise((r) => setTimeout(r, 20)));
