@@ -47,8 +47,16 @@ int axisOf(const Joint& joint, int axis) {
 }
 
 /// Raises Refused for what is static: a command to it would have no effect.
-void checkMoves(bool isStatic, const std::string& what) {
-  if (isStatic) raise("Refused", what + " is static");
+Model& moving(PyModel& self) {
+  Model& model = self.use();
+  if (model.isStatic()) raise("Refused", "model '" + model.scopedName() + "' is static");
+  return model;
+}
+
+Link& moving(PyLink& self) {
+  Link& link = self.use();
+  if (link.model().isStatic()) raise("Refused", "link '" + link.scopedName() + "' is static");
+  return link;
 }
 
 AfterMove afterMove(bool stop) { return stop ? AfterMove::kStop : AfterMove::kKeepVelocity; }
@@ -104,8 +112,7 @@ void bindModel(py::class_<PyModel>& type) {
       .def(
           "set_velocity",
           [](PyModel& self, py::handle linear, py::handle angular) {
-            checkMoves(self.use().isStatic(), "model '" + self.inner.scopedName() + "'");
-            self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+            moving(self).setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
           "Sets the velocity of the model frame's origin [m/s] and the angular velocity [rad/s], both in the world "
@@ -158,8 +165,7 @@ void bindLink(py::class_<PyLink>& type) {
       .def(
           "add_wrench",
           [](PyLink& self, py::handle force, py::handle torque) {
-            checkMoves(self.use().model().isStatic(), "link '" + self.inner.scopedName() + "'");
-            self.use().addWrench(vectorOf(force, "a force"), vectorOf(torque, "a torque"));
+            moving(self).addWrench(vectorOf(force, "a force"), vectorOf(torque, "a torque"));
           },
           py::arg("force"), py::arg("torque") = py::make_tuple(0.0, 0.0, 0.0),
           "Applies a force at the link frame's origin [N] and a torque [N m] during the next step, both in the world "
@@ -167,8 +173,7 @@ void bindLink(py::class_<PyLink>& type) {
       .def(
           "set_velocity",
           [](PyLink& self, py::handle linear, py::handle angular) {
-            checkMoves(self.use().model().isStatic(), "link '" + self.inner.scopedName() + "'");
-            self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+            moving(self).setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
           "Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], both in the world "

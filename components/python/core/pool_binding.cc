@@ -38,20 +38,20 @@ void bindPool(py::module_& module) {
              self.addReading(world, fieldsOf(lifeOf(simulation), topic, type, paths));
            })
       .def("read_pose",
-           [](Pool& self, std::size_t world, const PyModel& model) { self.addReading(world, poseReading(model)); })
+           [](Pool& self, std::size_t world, PyModel& model) { self.addReading(world, poseReading(model)); })
       .def("read_velocity",
-           [](Pool& self, std::size_t world, const PyModel& model) { self.addReading(world, velocityReading(model)); })
+           [](Pool& self, std::size_t world, PyModel& model) { self.addReading(world, velocityReading(model)); })
       .def("read_joint",
-           [](Pool& self, std::size_t world, const PyJoint& joint) { self.addReading(world, jointReading(joint)); })
+           [](Pool& self, std::size_t world, PyJoint& joint) { self.addReading(world, jointReading(joint)); })
       .def("steer_fields",
            [](Pool& self, std::size_t world, const Owner& simulation, const std::string& topic, const std::string& type,
               const std::vector<std::string>& paths) {
              self.addSteering(world, messageSteering(lifeOf(simulation), topic, type, paths));
            })
       .def("steer_velocity", [](Pool& self, std::size_t world,
-                                const PyJoint& joint) { self.addSteering(world, velocitySteering(joint)); })
+                                PyJoint& joint) { self.addSteering(world, velocitySteering(joint)); })
       .def("steer_force",
-           [](Pool& self, std::size_t world, const PyJoint& joint) { self.addSteering(world, forceSteering(joint)); })
+           [](Pool& self, std::size_t world, PyJoint& joint) { self.addSteering(world, forceSteering(joint)); })
       .def("limit_action", &Pool::limitAction)
       .def("observe", &Pool::observe)
       .def("seal", &Pool::seal)

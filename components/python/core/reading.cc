@@ -87,10 +87,10 @@ Reading fieldsOf(const std::shared_ptr<Life>& life, const std::string& topic, co
       }));
 }
 
-Reading poseReading(const PyModel& model) {
+Reading poseReading(PyModel& model) {
   return {.size = 7,
           .sample =
-              [model = model.inner](double* to) {
+              [model = model.use()](double* to) {
                 const Pose pose = model.pose();
                 put(pose.position, to);
                 std::copy_n(pose.rotation.coeffs().data(), 4, to + 3);
@@ -98,8 +98,8 @@ Reading poseReading(const PyModel& model) {
           .topic = nullptr};
 }
 
-Reading velocityReading(const PyModel& model) {
-  const std::optional<Link> canonical = model.inner.canonicalLink();
+Reading velocityReading(PyModel& model) {
+  const std::optional<Link> canonical = model.use().canonicalLink();
   if (!canonical) throw py::value_error("model '" + model.inner.scopedName() + "' has no link of its own");
   return {.size = 6,
           .sample =
@@ -111,13 +111,13 @@ Reading velocityReading(const PyModel& model) {
           .topic = nullptr};
 }
 
-Reading jointReading(const PyJoint& joint) {
-  if (joint.inner.axisCount() == 0) {
+Reading jointReading(PyJoint& joint) {
+  if (joint.use().axisCount() == 0) {
     throw py::value_error("joint '" + std::string(joint.inner.name()) + "' has no axis with a position");
   }
   return {.size = 2,
           .sample =
-              [joint = joint.inner](double* to) {
+              [joint = joint.use()](double* to) {
                 to[0] = joint.position();
                 to[1] = joint.velocity();
               },

@@ -68,11 +68,11 @@ Reading rangesOf(PySensor& sensor);
 Reading fieldsOf(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type,
                  const std::vector<std::string>& paths);
 /// @return Position and rotation of a model in the world frame: x, y, z [m], and a quaternion x, y, z, w.
-Reading poseReading(const PyModel& model);
+Reading poseReading(PyModel& model);
 /// @return Linear [m/s] and angular velocity [rad/s] of a model's canonical link, in that link's own frame.
 /// Raises ValueError for a model without one.
-Reading velocityReading(const PyModel& model);
+Reading velocityReading(PyModel& model);
 /// @return Position [rad or m] and velocity [rad/s or m/s] of an axis.
-Reading jointReading(const PyJoint& joint);
+Reading jointReading(PyJoint& joint);
 
 }  // namespace pongsim::python

@@ -41,17 +41,17 @@ Steering messageSteering(const std::shared_ptr<Life>& life, const std::string& t
           .isForEachStep = false};
 }
 
-Steering velocitySteering(const PyJoint& joint) {
-  checkAxis(joint.inner);
+Steering velocitySteering(PyJoint& joint) {
+  checkAxis(joint.use());
   return {.size = 1,
-          .apply = [joint = joint.inner](const double* number) mutable { joint.setVelocityTarget(*number); },
+          .apply = [joint = joint.use()](const double* number) mutable { joint.setVelocityTarget(*number); },
           .isForEachStep = false};
 }
 
-Steering forceSteering(const PyJoint& joint) {
-  checkAxis(joint.inner);
+Steering forceSteering(PyJoint& joint) {
+  checkAxis(joint.use());
   return {.size = 1,
-          .apply = [joint = joint.inner](const double* number) mutable { joint.addForce(*number); },
+          .apply = [joint = joint.use()](const double* number) mutable { joint.addForce(*number); },
           .isForEachStep = true};
 }
 

@@ -25,8 +25,8 @@ struct Steering {
 Steering messageSteering(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type,
                          const std::vector<std::string>& paths);
 /// @return A steering that drives the first axis of a joint at a velocity [rad/s or m/s].
-Steering velocitySteering(const PyJoint& joint);
+Steering velocitySteering(PyJoint& joint);
 /// @return A steering that applies a force along that axis [N m or N].
-Steering forceSteering(const PyJoint& joint);
+Steering forceSteering(PyJoint& joint);
 
 }  // namespace pongsim::python
