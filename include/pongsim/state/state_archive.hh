@@ -63,7 +63,8 @@ class StateArchive {
     if constexpr (std::is_floating_point_v<T>) check(isSound(value));
   }
   void operator()(bool& value) {
-    std::uint8_t byte = value ? 1 : 0;
+    // one that is to be read may not have been set
+    std::uint8_t byte = !isGiving_ && value ? 1 : 0;
     (*this)(byte);
     check(byte <= 1);
     value = byte != 0;
