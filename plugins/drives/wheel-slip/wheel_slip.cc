@@ -1,7 +1,5 @@
 #include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,13 +8,11 @@
 #include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
+#include "slipping_wheel.hh"
 
 namespace pongsim {
 
 namespace {
-
-/// A slip beyond this is equivalent to no friction [m/s/N].
-constexpr double kLargestSlip = 1e6;
 
 /// Makes wheels slip depending on their load and rim speed.
 class WheelSlip : public System {
@@ -44,7 +40,8 @@ class WheelSlip : public System {
     const std::vector<const Element*> elements = context.sdf.childrenNamed("wheel");
     for (const Element* element : elements) {
       try {
-        wheels_.push_back(wheelOf(*element));
+        const SlippingWheel wheel = slippingWheel(*element, *model_);
+        wheels_.push_back({wheel, wheel.compliance});
       } catch (const Error& error) {
         if (elements.size() == 1) throw;
         const Diagnostic& diagnostic = error.diagnostic();
@@ -58,20 +55,13 @@ class WheelSlip : public System {
         [this](const ignition::msgs::WheelSlipParametersCmd& command) { receive(command); }, kCommands);
   }
 
-  /// Compliances have no unit, slips are in m/s/N: they are scaled by the current speed of the rim and by the wheel's
-  /// load as given in the file. (K. Yoshida and H. Hamano, "Motion Dynamics of a Rover with Slip-Based Traction Model",
-  /// ICRA 2002, equation 1.)
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
-    for (Wheel& wheel : wheels_) {
-      const double scale = wheel.radius * std::abs(wheel.joint.velocity()) / wheel.load;
-      wheel.collision.setSlip(std::min(scale * wheel.now.lateral, kLargestSlip),
-                              std::min(scale * wheel.now.longitudinal, kLargestSlip));
-    }
+    for (Wheel& wheel : wheels_) wheel.self.slip(wheel.now);
   }
 
   void reset() override {
-    for (Wheel& wheel : wheels_) wheel.now = wheel.atStart;
+    for (Wheel& wheel : wheels_) wheel.now = wheel.self.compliance;
   }
 
   void transfer(StateArchive& archive) override {
@@ -82,74 +72,13 @@ class WheelSlip : public System {
   }
 
  private:
-  struct Compliance {
-    double lateral = 0;
-    double longitudinal = 0;
-  };
   struct Wheel {
-    Link link;
-    Collision collision;
-    Joint joint;
-    double radius;
-    double load;
-    Compliance atStart;
-    Compliance now;
+    SlippingWheel self;
+    SlipCompliance now;
   };
-
-  Wheel wheelOf(const Element& element) const {
-    const Element::Attribute* attribute = element.attribute("link_name");
-    if (attribute == nullptr) refuse(element, "<wheel> has no link_name", "write <wheel link_name=\"LINK\">");
-    const std::optional<Link> found = model_->link(attribute->value);
-    if (!found) {
-      std::string names;
-      for (const Link& other : model_->links()) names += (names.empty() ? "" : ", ") + std::string(other.name());
-      throw Error({Severity::kError, attribute->position,
-                   "link_name '" + attribute->value + "' is not a link of model '" + std::string(model_->name()) + "'",
-                   "its links are " + names});
-    }
-    const Link link = *found;
-    const std::string label = "link '" + attribute->value + "'";
-
-    const std::vector<Collision> collisions = link.collisions();
-    if (collisions.size() != 1) {
-      refuse(element,
-             label + " has " + std::to_string(collisions.size()) + " collisions: a slipping wheel must have one");
-    }
-    std::vector<Joint> joints = model_->joints();
-    std::erase_if(joints, [&](const Joint& joint) { return joint.child().id() != link.id(); });
-    if (joints.size() != 1 || joints[0].axisCount() == 0) {
-      refuse(element, label + " is not the child of exactly one joint with an axis");
-    }
-    const Compliance compliance{atLeastZero(element, "slip_compliance_lateral"),
-                                atLeastZero(element, "slip_compliance_longitudinal")};
-    return {link,
-            collisions[0],
-            joints[0],
-            aboveZero(element, "wheel_radius"),
-            aboveZero(element, "wheel_normal_force"),
-            compliance,
-            compliance};
-  }
-
-  static double aboveZero(const Element& wheel, const char* name) {
-    const std::optional<double> value = wheel.find<double>(name);
-    if (!value) refuse(wheel, "<wheel> has no <" + std::string(name) + ">");
-    if (!(*value > 0) || !std::isfinite(*value)) {
-      refuse(*wheel.child(name), "<" + std::string(name) + "> must be above zero");
-    }
-    return *value;
-  }
-
-  static double atLeastZero(const Element& wheel, const char* name) {
-    const double value = wheel.get<double>(name, 0);
-    if (!(value >= 0) || !std::isfinite(value)) {
-      refuse(*wheel.child(name), "<" + std::string(name) + "> must be zero or more");
-    }
-    return value;
-  }
 
   void receive(const ignition::msgs::WheelSlipParametersCmd& command) {
-    const Compliance wanted{command.slip_compliance_lateral(), command.slip_compliance_longitudinal()};
+    const SlipCompliance wanted{command.slip_compliance_lateral(), command.slip_compliance_longitudinal()};
     for (const double value : {wanted.lateral, wanted.longitudinal}) {
       if (value >= 0) continue;
       log_->warning("slip compliances below zero were ignored");
@@ -161,7 +90,7 @@ class WheelSlip : public System {
     };
     const bool isModel = isMeant(model_->id().value, model_->scopedName());
     for (Wheel& wheel : wheels_) {
-      if (isModel || isMeant(wheel.link.id().value, wheel.link.scopedName())) wheel.now = wanted;
+      if (isModel || isMeant(wheel.self.link.id().value, wheel.self.link.scopedName())) wheel.now = wanted;
     }
   }
 

@@ -21,7 +21,10 @@ constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
   const auto read = base::readRegularFile(file, kLargestPictureFile);
   if (const auto* unreadable = std::get_if<base::Unreadable>(&read)) return Problem{unreadable->reason, {}};
-  const auto& content = std::get<std::string>(read);
+  return decodePicture(std::get<std::string>(read));
+}
+
+std::variant<Picture, Problem> decodePicture(std::string_view content) {
   // by the signature, because many models have PNG files named .jpg
   if (content.starts_with(kJpegStart)) return readJpeg(content, kMostPicturePixels);
   if (!content.starts_with(kPngStart)) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -28,6 +29,9 @@ inline constexpr std::size_t kLargestPictureFile = std::size_t{128} << 20U;
 
 /// Reads a PNG or JPEG file; its name does not matter.
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file);
+
+/// As above, from the content of such a file.
+std::variant<Picture, Problem> decodePicture(std::string_view content);
 
 /// Writes a PNG file, replacing an existing one.
 /// @param pixels Red, green, blue: 3 * width * height values, row by row from the top.
