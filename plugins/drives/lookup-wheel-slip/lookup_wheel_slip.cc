@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "../wheel-slip/slipping_wheel.hh"
 #include "pongsim/files/parameter_picture.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/physical_properties.hh"
 #include "pongsim/system.hh"
+#include "slipping_wheel.hh"
 
 namespace pongsim {
 
