@@ -167,11 +167,12 @@ void addSensors(std::vector<Kind>& kinds) {
   kinds.push_back(sensorKind("logical_camera", plugin("logical-camera", "LogicalCamera"),
                              "<logical_camera><near>0.1</near><far>5</far><aspect_ratio>1.5</aspect_ratio>"
                              "<horizontal_fov>1</horizontal_fov></logical_camera>"));
-  kinds.push_back(sensorKind("custom", plugin("dvl", "DopplerVelocityLogSystem"),
-                             "<gz:dvl><arrangement><beam><tilt>0.5</tilt></beam><beam><tilt>0.5</tilt><rotation>2"
-                             "</rotation></beam><beam><tilt>0.5</tilt><rotation>4</rotation></beam></arrangement>"
-                             "<tracking><bottom_mode/></tracking></gz:dvl>",
-                             "dvl"));
+  kinds.push_back(sensorKind(
+      "custom", plugin("dvl", "DopplerVelocityLogSystem"),
+      "<gz:dvl><resolution>0.1</resolution><arrangement><beam><tilt>0.5</tilt></beam><beam><tilt>0.5</tilt><rotation>2"
+      "</rotation></beam><beam><tilt>0.5</tilt><rotation>4</rotation></beam></arrangement>"
+      "<tracking><bottom_mode/></tracking></gz:dvl>",
+      "dvl"));
   const fs::path table = projectFolder() / "plugins/sensors/environmental-sensor/water.csv";
   kinds.push_back(sensorKind("custom",
                              plugin("environmental-sensor", "EnvironmentalSystem") +
