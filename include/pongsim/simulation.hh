@@ -186,6 +186,9 @@ class PONGSIM_API Simulation {
   /// @param seed New seed, like `SimulationOptions::seed`. Unset: the same seed.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed = std::nullopt);
 
+  /// @return Whether physics moves bodies: neither the world's systems nor `SimulationOptions::physics` leave it out.
+  bool hasPhysics() const;
+
   /// Sets the simulated time, forwards or backwards, in a world without physics. The systems' `reset` is called; a
   /// system that plays a recording moves everything to its state at that time in the next step, even while paused.
   /// @param time Zero or more.

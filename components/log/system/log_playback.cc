@@ -1,5 +1,6 @@
 #include "log/system/log_playback.hh"
 
+#include <ignition/msgs/log_playback_stats.pb.h>
 #include <ignition/msgs/world_control.pb.h>
 
 #include <algorithm>
@@ -17,12 +18,15 @@ void PlaybackSystem::declare(Declaration& declaration) {
   declaration.usesFiles();
   declaration.parameter("playback_path", &path_, "", "folder of the recording, zip file of one, or .tlog file")
       .required();
+  declaration.publishes("/world/W/playback/stats", "ignition.msgs.LogPlaybackStatistics",
+                        "the times of the recording's first and last state, once, latched");
 }
 
 void PlaybackSystem::configure(const SystemContext& context) {
   log_ = &context.log;
   node_ = context.node;
-  controlService_ = cleanTopic("/world/" + std::string(context.world.name()) + "/control");
+  const std::string world = "/world/" + std::string(context.world.name());
+  controlService_ = cleanTopic(world + "/control");
   const bool isSecond = std::ranges::any_of(
       context.before, [](System* other) { return dynamic_cast<PlaybackSystem*>(other) != nullptr; });
   if (isSecond) refuse(context.sdf, "a recording is already being played", "remove one of the two LogPlayback systems");
@@ -31,6 +35,9 @@ void PlaybackSystem::configure(const SystemContext& context) {
   } catch (const Failure& why) {
     leaveOut(context, why.what(), why.hint());
   }
+  range_ = context.node.advertise<ignition::msgs::LogPlaybackStatistics>(cleanTopic(world + "/playback/stats"),
+                                                                         {.latched = true});
+  publishRange();
 }
 
 void PlaybackSystem::open(const SystemContext& context) {
@@ -42,6 +49,17 @@ void PlaybackSystem::open(const SystemContext& context) {
   if (const auto torn = reader_->torn()) log_->warning(*torn);
   // for the first step
   goTo(player_->stepSize());
+}
+
+void PlaybackSystem::publishRange() {
+  const auto set = [](std::int64_t nanoseconds, ignition::msgs::Time& time) {
+    time.set_sec(nanoseconds / 1'000'000'000);
+    time.set_nsec(static_cast<std::int32_t>(nanoseconds % 1'000'000'000));
+  };
+  ignition::msgs::LogPlaybackStatistics statistics;
+  set(replay_->range()->first, *statistics.mutable_start_time());
+  set(replay_->range()->last, *statistics.mutable_end_time());
+  range_.publish(statistics);
 }
 
 void PlaybackSystem::goTo(Time time) {

@@ -23,6 +23,7 @@ class PlaybackSystem final : public System {
 
  private:
   void open(const SystemContext& context);
+  void publishRange();
   void goTo(Time time);
   void pauseAtEnd(const StepInfo& info);
 
@@ -37,6 +38,7 @@ class PlaybackSystem final : public System {
   /// Current time of the replay.
   Time at_{0};
   PendingRequest pause_;
+  Publisher range_;
 };
 
 }  // namespace pongsim::log

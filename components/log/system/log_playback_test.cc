@@ -1,6 +1,7 @@
 #include "log/system/log_playback.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/log_playback_stats.pb.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -110,6 +111,17 @@ TEST_F(LogPlaybackTest, ARewoundPlaybackIsAsTheFirst) {
   Diagnostics diagnostics;
   played->reset(diagnostics);
   expectAll(*played);
+}
+
+TEST_F(LogPlaybackTest, TellsWhichTimesThereAre) {
+  record();
+  const std::unique_ptr<Simulation> played = play(recording());
+  ignition::msgs::LogPlaybackStatistics range;
+  const Subscription listener = played->transport().node().subscribe<ignition::msgs::LogPlaybackStatistics>(
+      "/world/w/playback/stats", [&](const auto& message) { range = message; });
+  played->transport().dispatch();
+  EXPECT_EQ(range.start_time().nsec(), 1'000'000);
+  EXPECT_EQ(range.end_time().nsec(), 30'000'000);
 }
 
 TEST_F(LogPlaybackTest, SeekingIsForPlaybacksOnly) {

@@ -4,6 +4,7 @@
 #include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/log_playback_control.pb.h>
+#include <ignition/msgs/log_playback_stats.pb.h>
 #include <ignition/msgs/server_control.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/stringmsg_v.pb.h>
@@ -47,6 +48,12 @@ ServerControl serverControl(const Message& message) {
 }
 
 void setBoolean(bool value, Message& message) { static_cast<ignition::msgs::Boolean&>(message).set_data(value); }
+
+void setLogPlaybackStatistics(Time start, Time end, Message& message) {
+  auto& statistics = static_cast<ignition::msgs::LogPlaybackStatistics&>(message);
+  setTime(start, *statistics.mutable_start_time());
+  setTime(end, *statistics.mutable_end_time());
+}
 
 void addString(const std::string& value, Message& stringMsgV) {
   static_cast<ignition::msgs::StringMsg_V&>(stringMsgV).add_data(value);

@@ -47,6 +47,7 @@ WorldControl worldControl(const Message& message);
 PlaybackControl playbackControl(const Message& message);
 ServerControl serverControl(const Message& message);
 void setBoolean(bool value, Message& message);
+void setLogPlaybackStatistics(Time start, Time end, Message& message);
 void addString(const std::string& value, Message& stringMsgV);
 std::vector<std::string> strings(const Message& stringMsgV);
 void setString(const std::string& value, Message& stringMsg);

@@ -344,6 +344,8 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   parts_->systems.announceChanges();
 }
 
+bool Simulation::hasPhysics() const { return parts_->hasPhysics(); }
+
 Outcome<void> Simulation::setTime(Time time) {
   if (parts_->hasPhysics()) return {"the world is not a recording: it has no time to seek to"};
   if (time < Time::zero()) return {"the time must be zero or more"};

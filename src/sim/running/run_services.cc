@@ -11,8 +11,9 @@
 
 namespace pongsim::sim {
 
-RunServices::RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded)
-    : simulation_(simulation), control_(control), edits_(simulation) {
+RunServices::RunServices(Simulation& simulation, RunControl& control, RunHistory& history,
+                         ResourceServices::FolderAdded folderAdded)
+    : simulation_(simulation), control_(control), history_(history), edits_(simulation) {
   constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
   Node node = simulation.transport().node();
   const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
@@ -47,7 +48,9 @@ ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
   if (asked.forward) return ServiceAnswer::refused("'forward' is not supported: seek to a time");
   if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind and seek can't be used together");
   if (asked.seek) {
-    if (const Outcome<void> set = simulation_.setTime(*asked.seek); !set) return ServiceAnswer::refused(set.error);
+    const Outcome<void> sought =
+        simulation_.hasPhysics() ? history_.goTo(*asked.seek) : simulation_.setTime(*asked.seek);
+    if (!sought) return ServiceAnswer::refused(sought.error);
   }
   msgs::WorldControl run = asked.run;
   if (asked.rewind) run.reset = msgs::Reset::kAll;
@@ -58,6 +61,7 @@ ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
 ServiceAnswer RunServices::reset(std::optional<std::uint64_t> seed) {
   Diagnostics diagnostics;
   simulation_.reset(diagnostics, seed);
+  history_.forget();
   logDiagnostics(diagnostics, log_);
   return true;
 }

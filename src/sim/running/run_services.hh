@@ -9,6 +9,7 @@
 #include "sim/edits/edit_services.hh"
 #include "sim/resource_services.hh"
 #include "sim/running/run_control.hh"
+#include "sim/running/run_history.hh"
 
 namespace pongsim {
 class Simulation;
@@ -23,7 +24,8 @@ class RunServices {
  public:
   /// All references must outlive this.
   /// @param folderAdded Called with folders added by requests; empty: not the first world.
-  RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded);
+  RunServices(Simulation& simulation, RunControl& control, RunHistory& history,
+              ResourceServices::FolderAdded folderAdded);
 
  private:
   ServiceAnswer controlWorld(const msgs::WorldControl& asked);
@@ -32,6 +34,7 @@ class RunServices {
 
   Simulation& simulation_;
   RunControl& control_;
+  RunHistory& history_;
   Logger log_{"run"};
   Service worldControl_;
   Service playbackControl_;

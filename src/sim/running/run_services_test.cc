@@ -21,7 +21,8 @@ TEST(RunServices, TellWhichPanelsTheFileAsksFor) {
       "world.sdf", {.loadSystems = false}, diagnostics);
   ASSERT_NE(simulation, nullptr);
   RunControl control(true);
-  const RunServices services(*simulation, control, {});
+  RunHistory history(*simulation);
+  const RunServices services(*simulation, control, history, {});
   ignition::msgs::GUI gui;
   EXPECT_TRUE(test::askService(simulation->transport(), "/world/w/gui/info", *newMessage("Empty"), gui));
   ASSERT_EQ(gui.plugin_size(), 1);

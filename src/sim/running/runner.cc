@@ -14,6 +14,7 @@
 #include "msgs/control/status_messages.hh"
 #include "sim/running/real_time_factor.hh"
 #include "sim/running/run_control.hh"
+#include "sim/running/run_history.hh"
 #include "sim/running/run_services.hh"
 #include "sim/running/status_publisher.hh"
 
@@ -61,7 +62,8 @@ struct Runner::Parts {
         options(o),
         status(std::in_place, s.transport(), std::string(s.world().name()), static_cast<bool>(folderAdded)),
         control(o.paused),
-        services(std::in_place, s, control, std::move(folderAdded)) {}
+        history(std::in_place, s),
+        services(std::in_place, s, control, *history, std::move(folderAdded)) {}
 
   void publishStatus(Clock::time_point now) {
     status->publish({.simulated = simulation.time(),
@@ -71,6 +73,7 @@ struct Runner::Parts {
                      .realTimeFactor = factor.value(),
                      .paused = control.paused()},
                     now);
+    history->publishRange(now);
   }
 
   Simulation& simulation;
@@ -78,6 +81,7 @@ struct Runner::Parts {
   const RunOptions options;
   std::optional<StatusPublisher> status;
   RunControl control;
+  std::optional<RunHistory> history;
   std::optional<RunServices> services;
   RealTimeFactor factor;
   std::chrono::nanoseconds real{0};
@@ -91,6 +95,7 @@ Runner::~Runner() = default;
 
 void Runner::leave() {
   parts_->services.reset();
+  parts_->history.reset();
   parts_->status.reset();
 }
 
@@ -149,6 +154,7 @@ void Runner::runSteps() {
     ++parts.made;
     if (parts.options.stepped && !parts.options.stepped(parts.simulation)) stop();
     parts.control.stepped(parts.simulation.time());
+    parts.history->stepped();
     now = Clock::now();
     parts.real = now - start;
     parts.factor.sample(now, parts.simulation.time());

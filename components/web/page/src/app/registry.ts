@@ -14,6 +14,7 @@ import { openPointCloud } from '../panels/point_cloud.ts';
 import { openPublisher } from '../panels/publisher.ts';
 import { openSpawn } from '../panels/spawn.ts';
 import { openTeleop } from '../panels/teleop.ts';
+import { openTimeline } from '../panels/timeline.ts';
 import { openTopicEcho } from '../panels/topic_echo.ts';
 import { openTransform } from '../panels/transform.ts';
 import { openViewSettings } from '../panels/view_settings.ts';
@@ -43,6 +44,7 @@ export const kPanels: readonly PanelKind[] = [
     id: 'ViewAngle', also: ['VisualizationCapabilities', 'VisualizeContacts', 'CameraTracking', 'GridConfig'],
     title: 'View', place: 'left', open: openViewSettings,
   },
+  { id: 'PlaybackScrubber', title: 'Timeline', place: 'bottom', isForWriting: true, open: openTimeline },
   { id: 'Performance', title: 'Performance', place: 'right', open: openPerformance },
   { id: 'Log', title: 'Messages', place: 'bottom', open: openLog },
 ];

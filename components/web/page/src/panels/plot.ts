@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { download, h, labelled, numberField, setChoices, shortNumber } from '../app/dom.ts';
 import { numberReader, numbersIn } from '../connection/fields.ts';
+import { secondsOf } from '../connection/time.ts';
 import type { Message } from '../connection/types.ts';
 import { tickTexts } from './plot_axis.ts';
 import { columnsOf, csvOf, Curve } from './plot_data.ts';
@@ -14,8 +15,7 @@ const kColors = ['#2f8fd8', '#d9680a', '#1f9d6b', '#c2459c', '#8a7a00', '#7a63e0
 /// The simulated time of a message [s]: the stamp in its header, else the time at which the server sent it.
 export function timeOf(message: Message, sentNs: bigint): number {
   const stamp = (message.header?.stamp ?? message.simTime) as Message | undefined;
-  if (stamp) return Number(stamp.sec) + Number(stamp.nsec) / 1e9;
-  return Number(sentNs) / 1e9;
+  return stamp ? secondsOf(stamp) : Number(sentNs) / 1e9;
 }
 
 /// A curve, and the end of its subscription.

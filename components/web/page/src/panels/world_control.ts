@@ -2,15 +2,12 @@
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, iconButton, labelled, numberField } from '../app/dom.ts';
 import { icon } from '../app/icons.ts';
-
-// Real-time factor for "as fast as possible": more than any world reaches.
-const kAsFastAsPossible = 1e6;
+import { speedField } from './speed_field.ts';
 
 export function openWorldControl(context: Context): Panel {
   const { world } = context;
   const ends = new Ends();
   let isPaused = true;
-  let stepSize = 0.001;
 
   const play = iconButton(icon('play'), 'Play', () => void context.attempt('Play', world.control({ pause: !isPaused })), { id: 'play' });
   const steps = numberField(1, { min: 1, max: 1_000_000, step: 1, 'aria-label': 'Steps', class: 'short' });
@@ -23,19 +20,13 @@ export function openWorldControl(context: Context): Panel {
     const fields = { reset: { all: true }, seed: Math.max(0, Math.trunc(seed.valueAsNumber) || 0), pause: isPaused };
     void context.attempt('Reset', world.control(fields));
   }, { id: 'reset' });
-  const speed = numberField(1, { min: 0, step: 0.1, title: 'Real-time factor to keep; 0: as fast as possible', class: 'short' });
-  speed.addEventListener('change', () => {
-    if (!(speed.valueAsNumber >= 0)) return;
-    // the service takes 0 as "unchanged"
-    const factor = speed.valueAsNumber || kAsFastAsPossible;
-    void context.attempt('Speed', world.ask('set_physics', { maxStepSize: stepSize, realTimeFactor: factor }));
-  });
+  const speed = speedField(context);
+  ends.add(speed.end);
 
   const element = h('div', { class: 'world-control' },
     h('div', { class: 'row' }, play, step, steps, reset),
-    h('div', { class: 'row' }, labelled('Seed', seed), labelled('Speed', speed)));
+    h('div', { class: 'row' }, labelled('Seed', seed), speed.element));
   ends.add(world.connection.subscribe(world.path('stats'), (stats) => {
-    stepSize = Number(stats.stepSize?.sec ?? 0) + Number(stats.stepSize?.nsec ?? 0) / 1e9 || stepSize;
     if (stats.paused === isPaused && play.dataset.known) return;
     isPaused = stats.paused as boolean;
     play.dataset.known = 'yes';
