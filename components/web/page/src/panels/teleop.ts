@@ -1,7 +1,8 @@
-/// Drives a model by a joystick, sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
+/// Drives a model by a joystick, a gamepad, sliders and buttons: publishes Twists at 10 Hz while any value is not 0.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, labelled, numberField, shortNumber } from '../app/dom.ts';
 import { fullTopic } from '../connection/topic_name.ts';
+import { followGamepad } from './gamepad.ts';
 import { joystick } from './joystick.ts';
 
 export function openTeleop(context: Context, settings: Settings): Panel {
@@ -64,10 +65,12 @@ export function openTeleop(context: Context, settings: Settings): Panel {
   };
   ends.add(connection.channelsChanged.on(offer));
   offer();
-  const stick = joystick((right, up) => {
+  const steer = (right: number, up: number): void => {
     setForward(up);
     setTurn(-right);
-  });
+  };
+  const stick = joystick(steer);
+  ends.add(followGamepad(steer));
   const element = h('div', { class: 'teleop' },
     h('div', { class: 'steering' }, stick, h('div', { class: 'pad' },
       button('↑', 'Forward', 1, 0), button('←', 'Turn left', 0, 1), button('■', 'Stop', 0, 0),

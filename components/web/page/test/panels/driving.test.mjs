@@ -56,6 +56,19 @@ test('sliders drive it, too', async () => {
   await teleop.getByRole('button', { name: 'Stop' }).click();
 });
 
+test('a gamepad drives it, and lets go', async () => {
+  const { tab } = page;
+  const hold = (axes) => tab.evaluate((given) => {
+    navigator.getGamepads = () => [{ connected: true, axes: given }];
+  }, axes);
+  const [x, y] = await shownPose(tab);
+  await hold([0, -1, 0, 0]);
+  await until(() => shownPose(tab), ([x2, y2]) => Math.hypot(x2 - x, y2 - y) > 0.3, 'it drives');
+  await hold([0.05, 0.02, 0, 0]);
+  const teleop = panel(tab, 'Teleop');
+  await until(() => teleop.getByLabel('Forward [m/s]').inputValue(), (value) => Number(value) === 0, 'it stops');
+});
+
 test('a message by a form made from its type drives it', async () => {
   const { tab } = page;
   const publisher = await openPanel(tab, 'Publisher');
