@@ -12,7 +12,9 @@ const field = (name: string, number: number, type: Type, more: Field = {}): Fiel
   name, number, type, label: Label.OPTIONAL, jsonName: name, ...more,
 });
 
-/// test.Point { double x; string name; Point where; repeated double list; bool on; Kind kind; bytes data; int64 big }
+/// test.Point { double x; string name; Point where; repeated double list; bool on; Kind kind; bytes data; int64 big;
+/// repeated Point points }, test.Vector { double x, y, z }, test.Turn { double x, y, z, w }, test.Pose { Vector position;
+/// Turn orientation }
 export function exampleDescriptors(): Uint8Array {
   const point = [
     field('x', 1, Type.DOUBLE),
@@ -25,10 +27,18 @@ export function exampleDescriptors(): Uint8Array {
     field('big', 8, Type.INT64),
     field('points', 9, Type.MESSAGE, { typeName: '.test.Point', label: Label.REPEATED }),
   ];
+  const numbers = (names: string): Field[] => [...names].map((name, i) => field(name, i + 1, Type.DOUBLE));
+  const pose = [
+    field('position', 1, Type.MESSAGE, { typeName: '.test.Vector' }), field('orientation', 2, Type.MESSAGE, { typeName: '.test.Turn' }),
+  ];
   const kinds = [{ name: 'NONE', number: 0 }, { name: 'ROUND', number: 1 }];
   const file = {
     name: 'test.proto', package: 'test', syntax: 'proto3',
-    messageType: [{ name: 'Point', field: point }], enumType: [{ name: 'Kind', value: kinds }],
+    messageType: [
+      { name: 'Point', field: point }, { name: 'Vector', field: numbers('xyz') }, { name: 'Turn', field: numbers('xyzw') },
+      { name: 'Pose', field: pose },
+    ],
+    enumType: [{ name: 'Kind', value: kinds }],
   };
   return toBinary(FileDescriptorSetSchema, create(FileDescriptorSetSchema, { file: [file] }));
 }

@@ -20,6 +20,29 @@ test('every number has a path', () => {
   assert.equal(paths.has('name'), false);
 });
 
+test('elements of a list have their names, where these are different', () => {
+  const named = types.decode('test.Point', types.encode('test.Point', {
+    points: [{ name: 'a::left', x: 1 }, { name: 'b', x: 2 }, { name: 'b', x: 3 }, { name: '7', x: 4 }, { name: 'c.d', x: 5 }],
+  }));
+  const paths = numbersIn(type, named).map(({ path }) => path).filter((path) => /^points.*x$/.test(path));
+  assert.deepEqual(paths, ['points[a::left].x', 'points[b].x', 'points[2].x', 'points[3].x', 'points[4].x']);
+  assert.deepEqual(paths.map((path) => numberReader(type, path)(named)), [1, 2, 3, 4, 5]);
+  assert.ok(Number.isNaN(numberReader(type, 'points[z].x')(named)));
+});
+
+test('vectors have a length, and quaternions angles', () => {
+  const turned = types.get('test.Pose');
+  const quarter = Math.SQRT1_2;
+  const pose = types.decode('test.Pose', types.encode('test.Pose', {
+    position: { x: 3, y: 4, z: 12 }, orientation: { x: 0, y: 0, z: quarter, w: quarter },
+  }));
+  assert.equal(numberReader(turned, 'position.length')(pose), 13);
+  assert.ok(Math.abs(numberReader(turned, 'orientation.yaw')(pose) - Math.PI / 2) < 1e-12);
+  const paths = numbersIn(turned, pose).map(({ path }) => path);
+  assert.ok(['position.length', 'orientation.roll', 'orientation.pitch', 'orientation.yaw'].every((path) => paths.includes(path)));
+  assert.throws(() => numberReader(turned, 'position.length.x'), /test\.Pose/);
+});
+
 test('long lists are cut', () => {
   const list = Array.from({ length: 50 }, (_, i) => i);
   const long = types.decode('test.Point', types.encode('test.Point', { list }));

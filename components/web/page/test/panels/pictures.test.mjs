@@ -101,7 +101,7 @@ test('what sensors see, and a plot', async () => {
     await panel(tab, 'Spawn').getByRole('button', { name: 'Close Spawn' }).click();
     const plot = await openPanel(tab, 'Plot');
     await plot.getByLabel('Topic').selectOption('/world/camera_world/model/arm/joint_state');
-    await plot.getByLabel('Number').selectOption('joint[1].axis1.position');
+    await plot.getByLabel('Number').selectOption('joint[shoulder].axis1.position');
     await plot.getByRole('button', { name: 'Plot', exact: true }).click();
     const field = panel(tab, 'Joint position controller').getByLabel('shoulder, number');
     await field.fill('1.2');

@@ -43,7 +43,7 @@ test('a slider moves a joint, and the plot has the numbers that are published', 
   const { tab } = page;
   const plot = await openPanel(tab, 'Plot');
   await plot.getByLabel('Topic').selectOption(joints);
-  await plot.getByLabel('Number').selectOption('joint[1].axis1.position');
+  await plot.getByLabel('Number').selectOption('joint[shoulder].axis1.position');
   const published = new Map();
   const echo = spawn(process.env.PONGSIM, ['topic', '-e', '-t', joints, '--json'], { stdio: ['ignore', 'pipe', 'inherit'] });
   let rest = '';
