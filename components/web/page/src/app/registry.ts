@@ -12,6 +12,7 @@ import { openPerformance } from '../panels/performance.ts';
 import { openPlot } from '../panels/plot.ts';
 import { openPointCloud } from '../panels/point_cloud.ts';
 import { openPublisher } from '../panels/publisher.ts';
+import { openServiceCall } from '../panels/service_call.ts';
 import { openSpawn } from '../panels/spawn.ts';
 import { openTeleop } from '../panels/teleop.ts';
 import { openTimeline } from '../panels/timeline.ts';
@@ -36,6 +37,7 @@ export const kPanels: readonly PanelKind[] = [
   { id: 'Plotting', also: ['Plot'], title: 'Plot', place: 'bottom', isMany: true, open: openPlot },
   { id: 'TopicEcho', also: ['TopicViewer'], title: 'Topic echo', place: 'bottom', isMany: true, open: openTopicEcho },
   { id: 'Publisher', title: 'Publisher', place: 'left', isMany: true, isForWriting: true, open: openPublisher },
+  { id: 'ServiceCall', title: 'Service', place: 'left', isMany: true, open: openServiceCall },
   { id: 'TransformControl', title: 'Transform control', place: 'left', open: openTransform },
   { id: 'ApplyForceTorque', title: 'Apply force torque', place: 'left', isForWriting: true, open: openForce },
   { id: 'Shapes', also: ['ResourceSpawner', 'Spawn'], title: 'Spawn', place: 'left', isForWriting: true, open: openSpawn },

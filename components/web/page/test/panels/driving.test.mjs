@@ -82,4 +82,19 @@ test('a message by a form made from its type drives it', async () => {
   await publisher.getByText('The message type ignition.msgs.NoSuch is unknown').waitFor();
 });
 
+test('a service is called by a form made from its type', async () => {
+  const { tab } = page;
+  const service = await openPanel(tab, 'Service');
+  await service.getByRole('combobox', { name: 'Service' }).fill('/world/pong_world/control');
+  await service.getByRole('combobox', { name: 'Service' }).blur();
+  await service.getByText('ignition.msgs.WorldControl → ignition.msgs.Boolean').waitFor();
+  await service.getByLabel('pause', { exact: true }).check();
+  await service.getByRole('button', { name: 'Call' }).click();
+  await service.getByText('"data": true').waitFor();
+  await tab.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  await service.getByRole('combobox', { name: 'Service' }).fill('/world/pong_world/controll');
+  await service.getByRole('combobox', { name: 'Service' }).blur();
+  await service.getByText('There is no service /world/pong_world/controll').waitFor();
+});
+
 test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));

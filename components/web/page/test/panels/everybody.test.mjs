@@ -10,7 +10,7 @@ const axe = readFileSync('node_modules/axe-core/axe.min.js', 'utf8');
 const world = `${repository}worlds/pong_world.sdf`;
 const panels = [
   'Key publisher', 'Teleop', 'Joint position controller', 'Image display', 'Visualize lidar', 'Point cloud', 'Plot', 'Topic echo', 'Publisher',
-  'Transform control', 'Apply force torque', 'Spawn', 'Lights', 'View', 'Performance', 'Messages',
+  'Service', 'Transform control', 'Apply force torque', 'Spawn', 'Lights', 'View', 'Timeline', 'Performance', 'Messages',
 ];
 
 /// The accessibility violations that axe finds, shortened.
