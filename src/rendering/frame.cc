@@ -14,32 +14,43 @@ Frame::Frame(const Gl& gl, Kind kind, std::uint32_t width, std::uint32_t height,
     throw std::runtime_error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                              " pixels is too large to draw: the longest edge is " + std::to_string(longest));
   }
-  const GLenum format = kind == Kind::kColors ? GL_SRGB8_ALPHA8 : GL_R32F;
   gl.genFramebuffers(1, &drawn_);
   gl.bindFramebuffer(GL_FRAMEBUFFER, drawn_);
-  addBuffer(format, GL_COLOR_ATTACHMENT0, samples);
-  addBuffer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples);
-  check();
-  if (samples <= 1) return;
-  gl.genFramebuffers(1, &whole_);
-  gl.bindFramebuffer(GL_FRAMEBUFFER, whole_);
-  addBuffer(format, GL_COLOR_ATTACHMENT0, 0);
+  if (samples > 1) {
+    // linear, so that sRGB is computed for each pixel, not for each sample
+    addSamples(samples, GL_RGBA16, GL_COLOR_ATTACHMENT0, samples_[0]);
+    addSamples(samples, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples_[1]);
+    check();
+    gl.genFramebuffers(1, &whole_);
+    gl.bindFramebuffer(GL_FRAMEBUFFER, whole_);
+  }
+  addBuffer(kind == Kind::kColors ? GL_SRGB8_ALPHA8 : GL_R32F, GL_COLOR_ATTACHMENT0);
+  if (samples <= 1) addBuffer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
   check();
 }
 
 Frame::~Frame() {
   gl_.deleteRenderbuffers(count_, buffers_);
   gl_.deleteFramebuffers(1, &drawn_);
-  if (whole_ != 0) gl_.deleteFramebuffers(1, &whole_);
+  gl_.deleteFramebuffers(1, &whole_);
+  gl_.deleteTextures(2, samples_);
 }
 
-void Frame::addBuffer(GLenum format, GLenum place, int samples) {
-  assert(count_ < 3);
+void Frame::addBuffer(GLenum format, GLenum place) {
+  assert(count_ < 2);
   GLuint& buffer = buffers_[count_++];
   gl_.genRenderbuffers(1, &buffer);
   gl_.bindRenderbuffer(GL_RENDERBUFFER, buffer);
-  gl_.renderbufferStorageMultisample(GL_RENDERBUFFER, samples <= 1 ? 0 : samples, format, width_, height_);
+  gl_.renderbufferStorage(GL_RENDERBUFFER, format, width_, height_);
   gl_.framebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+}
+
+void Frame::addSamples(GLsizei samples, GLenum format, GLenum place, GLuint& texture) {
+  gl_.genTextures(1, &texture);
+  gl_.activeTexture(GL_TEXTURE0);
+  gl_.bindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+  gl_.texImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, width_, height_, GL_TRUE);
+  gl_.framebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
 }
 
 void Frame::check() const {
@@ -54,13 +65,12 @@ void Frame::use() const {
   gl_.viewport(0, 0, width_, height_);
 }
 
-void Frame::read(std::span<std::uint8_t> pixels) const {
+void Frame::read(const Resolve& resolve, std::span<std::uint8_t> pixels) const {
   if (whole_ != 0) {
-    gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
-    gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, whole_);
-    gl_.blitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.bindFramebuffer(GL_FRAMEBUFFER, whole_);
+    gl_.viewport(0, 0, width_, height_);
+    resolve.draw(samples_[0]);
   }
-  gl_.bindFramebuffer(GL_FRAMEBUFFER, whole_ != 0 ? whole_ : drawn_);
   gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.readPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "rendering/gl.hh"
+#include "rendering/resolve.hh"
 
 namespace pongsim::rendering {
 
@@ -12,7 +13,7 @@ class Frame {
  public:
   enum class Kind { kColors, kDepths };
 
-  /// @param samples Colour samples for each pixel.
+  /// @param samples Colour samples for each pixel: four or one.
   /// @throws std::runtime_error if this size is not possible.
   Frame(const Gl& gl, Kind kind, std::uint32_t width, std::uint32_t height, int samples);
   ~Frame();
@@ -22,12 +23,14 @@ class Frame {
   /// Makes it the target of all drawing that follows.
   void use() const;
 
+  /// @param resolve Combines the samples of each pixel.
   /// @param pixels Three bytes each.
-  void read(std::span<std::uint8_t> pixels) const;
+  void read(const Resolve& resolve, std::span<std::uint8_t> pixels) const;
   void read(std::span<float> depths) const;
 
  private:
-  void addBuffer(GLenum format, GLenum place, int samples);
+  void addBuffer(GLenum format, GLenum place);
+  void addSamples(GLsizei samples, GLenum format, GLenum place, GLuint& texture);
   void check() const;
 
   const Gl& gl_;
@@ -36,7 +39,9 @@ class Frame {
   /// The buffer drawn into, and the one in which the samples of each pixel are combined.
   GLuint drawn_ = 0;
   GLuint whole_ = 0;
-  GLuint buffers_[3] = {};
+  /// Colours and depths of the samples.
+  GLuint samples_[2] = {};
+  GLuint buffers_[2] = {};
   int count_ = 0;
 };
 

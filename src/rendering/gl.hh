@@ -33,7 +33,6 @@ class Gl {
   PFNGLBINDTEXTUREPROC bindTexture = find("glBindTexture");
   PFNGLBINDVERTEXARRAYPROC bindVertexArray = find("glBindVertexArray");
   PFNGLBLENDFUNCPROC blendFunc = find("glBlendFunc");
-  PFNGLBLITFRAMEBUFFERPROC blitFramebuffer = find("glBlitFramebuffer");
   PFNGLBUFFERDATAPROC bufferData = find("glBufferData");
   PFNGLCHECKFRAMEBUFFERSTATUSPROC checkFramebufferStatus = find("glCheckFramebufferStatus");
   PFNGLCLEARBUFFERFVPROC clearBufferfv = find("glClearBufferfv");
@@ -59,6 +58,7 @@ class Gl {
   PFNGLENABLEPROC enable = find("glEnable");
   PFNGLENABLEVERTEXATTRIBARRAYPROC enableVertexAttribArray = find("glEnableVertexAttribArray");
   PFNGLFRAMEBUFFERRENDERBUFFERPROC framebufferRenderbuffer = find("glFramebufferRenderbuffer");
+  PFNGLFRAMEBUFFERTEXTURE2DPROC framebufferTexture2D = find("glFramebufferTexture2D");
   PFNGLFRAMEBUFFERTEXTURELAYERPROC framebufferTextureLayer = find("glFramebufferTextureLayer");
   PFNGLFRONTFACEPROC frontFace = find("glFrontFace");
   PFNGLGENBUFFERSPROC genBuffers = find("glGenBuffers");
@@ -76,13 +76,16 @@ class Gl {
   PFNGLPIXELSTOREIPROC pixelStorei = find("glPixelStorei");
   PFNGLREADBUFFERPROC readBuffer = find("glReadBuffer");
   PFNGLREADPIXELSPROC readPixels = find("glReadPixels");
-  PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC renderbufferStorageMultisample = find("glRenderbufferStorageMultisample");
+  PFNGLRENDERBUFFERSTORAGEPROC renderbufferStorage = find("glRenderbufferStorage");
+  PFNGLSCISSORPROC scissor = find("glScissor");
   PFNGLSHADERSOURCEPROC shaderSource = find("glShaderSource");
   PFNGLTEXIMAGE2DPROC texImage2D = find("glTexImage2D");
+  PFNGLTEXIMAGE2DMULTISAMPLEPROC texImage2DMultisample = find("glTexImage2DMultisample");
   PFNGLTEXIMAGE3DPROC texImage3D = find("glTexImage3D");
   PFNGLTEXPARAMETERIPROC texParameteri = find("glTexParameteri");
   PFNGLUNIFORM1FPROC uniform1f = find("glUniform1f");
   PFNGLUNIFORM1IPROC uniform1i = find("glUniform1i");
+  PFNGLUNIFORM2FVPROC uniform2fv = find("glUniform2fv");
   PFNGLUNIFORM3FVPROC uniform3fv = find("glUniform3fv");
   PFNGLUNIFORM4FVPROC uniform4fv = find("glUniform4fv");
   PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = find("glUniformMatrix3fv");

@@ -19,26 +19,25 @@ constexpr double kMostShadowRadius = 25;
 constexpr double kNearestShade = 0.05;
 constexpr double kFarthestShade = 1000;
 
-/// A sphere that contains all visible shadows.
+/// A sphere that contains all visible shadows. In the world frame.
 struct Region {
   Vector3 middle = Vector3::Zero();
   double radius = 1;
-  /// Bounding box of everything that casts shadows, relative to the camera.
+  /// Bounding box of everything that casts shadows.
   Eigen::AlignedBox3d casters = {};
 };
 
 std::optional<Region> shadowRegion(const Scene& scene, const PictureView& view) {
   Region region;
-  const Vector3& eye = view.X_WorldEye.position;
   for (const Item& item : scene.items()) {
-    if (item.castsShadows && !item.isGround) region.casters.extend(item.boundsInWorld().translated(-eye));
+    if (item.castsShadows && !item.isGround) region.casters.extend(item.boundsInWorld());
   }
   if (region.casters.isEmpty()) return std::nullopt;
   region.middle = region.casters.center();
   region.radius = region.casters.diagonal().norm() / 2;
   if (region.radius > kMostShadowRadius) {
     region.radius = kMostShadowRadius;
-    region.middle = view.X_WorldEye.rotation * Vector3(0.8 * kMostShadowRadius, 0, 0);
+    region.middle = view.X_WorldEye * Vector3(0.8 * kMostShadowRadius, 0, 0);
   }
   return region;
 }
@@ -56,7 +55,7 @@ Matrix3 axesAgainst(const Vector3& direction) {
 
 /// Directional light: a box along the light's direction, extended to objects in front of the region that cast shadows
 /// into it.
-Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
+Shadow parallelShadow(const Region& region, const Vector3& direction) {
   const Matrix3 axes = axesAgainst(direction);
   double top = region.radius;
   for (int corner = 0; corner < 8; ++corner) {
@@ -68,15 +67,14 @@ Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
   clip.block<2, 3>(0, 0) = axes.topRows<2>() / region.radius;
   // depths from 0, next to the light, to 1
   clip.block<1, 3>(2, 0) = -1 / (top - bottom) * axes.row(2);
-  clip.block<3, 1>(0, 3) = -clip.topLeftCorner<3, 3>() * region.middle;
-  clip(2, 3) += top / (top - bottom);
-  return clip;
+  clip(2, 3) = top / (top - bottom);
+  return {region.middle, clip};
 }
 
 /// Half the angle covered by a spot light's shadow map [rad].
 double halfAngle(const Light& light) { return std::clamp(light.outerAngle / 2 * 1.05, 0.01, 1.4); }
 
-Matrix4d spotShadow(const Light& light, const Vector3& place, const Vector3& direction) {
+Shadow spotShadow(const Light& light, const Vector3& place, const Vector3& direction) {
   const Matrix3 axes = axesAgainst(direction);
   const double far = std::clamp(light.range, 2 * kNearestShade, kFarthestShade), near = kNearestShade;
   const double scale = 1 / std::tan(halfAngle(light));
@@ -84,9 +82,8 @@ Matrix4d spotShadow(const Light& light, const Vector3& place, const Vector3& dir
   clip.block<2, 3>(0, 0) = axes.topRows<2>() * scale;
   clip.block<1, 3>(2, 0) = -far / (far - near) * axes.row(2);
   clip.block<1, 3>(3, 0) = -axes.row(2);
-  clip.col(3) = -clip.leftCols<3>() * place;
-  clip(2, 3) -= far * near / (far - near);
-  return clip;
+  clip(2, 3) = -far * near / (far - near);
+  return {place, clip};
 }
 
 Vector4f colorOf(const description::Color& color, double intensity, double fourth) {
@@ -99,23 +96,29 @@ float linear(float shown) { return shown <= 0.04045F ? shown / 12.92F : std::pow
 void addLamp(const Lamp& lamp, const PictureView& view, const std::optional<Region>& region, int shadowEdge,
              LampBlock::Lamp& to, Lighting& lighting) {
   const Light& light = *lamp.light;
-  const Vector3 place = lamp.X_WorldLight.position - view.X_WorldEye.position;
+  const Vector3& eye = view.X_WorldEye.position;
+  const Vector3 place = lamp.X_WorldLight.position - eye;
   const Vector3 direction = lamp.X_WorldLight.rotation * light.direction;
-  const bool isParallel = light.type == LightType::kDirectional, isSpot = light.type == LightType::kSpot;
-  double shadow = -1, pixel = 0;
-  if (light.castsShadows && region && (isParallel || isSpot) && lighting.shadows.size() < shaders::kMostShadows) {
-    shadow = static_cast<double>(lighting.shadows.size());
-    pixel = 2 * (isSpot ? std::tan(halfAngle(light)) : region->radius) / shadowEdge;
-    const Matrix4d clip = isSpot ? spotShadow(light, place, direction) : parallelShadow(*region, direction);
-    lighting.block.shadowFromPlace[lighting.shadows.size()] = clip.cast<float>();
-    lighting.shadows.push_back(clip);
+  LampKind kind{light.type != LightType::kDirectional, light.type == LightType::kSpot};
+  double pixel = 0;
+  if (light.castsShadows && region && (!kind.hasPlace || kind.isSpot) &&
+      lighting.shadows.size() < shaders::kMostShadows) {
+    kind.shadow = static_cast<int>(lighting.shadows.size());
+    pixel = 2 * (kind.isSpot ? std::tan(halfAngle(light)) : region->radius) / shadowEdge;
+    const Shadow shadow =
+        kind.isSpot ? spotShadow(light, lamp.X_WorldLight.position, direction) : parallelShadow(*region, direction);
+    Matrix4d clipFromPlace = shadow.clip;
+    clipFromPlace.col(3) += shadow.clip.leftCols<3>() * (eye - shadow.origin);
+    lighting.block.shadowFromPlace[lighting.shadows.size()] = clipFromPlace.cast<float>();
+    lighting.shadows.push_back(shadow);
   }
+  lighting.kinds.push_back(kind);
   const auto four = [](double x, double y, double z, double w) -> Vector4f {
     return Eigen::Vector4d(x, y, z, w).cast<float>();
   };
-  to.place = four(place.x(), place.y(), place.z(), isParallel ? 0 : 1);
-  to.direction = four(direction.x(), direction.y(), direction.z(), isSpot ? 1 : 0);
-  to.diffuse = colorOf(light.diffuse, light.intensity, shadow);
+  to.place = four(place.x(), place.y(), place.z(), 0);
+  to.direction = four(direction.x(), direction.y(), direction.z(), 0);
+  to.diffuse = colorOf(light.diffuse, light.intensity, 0);
   to.specular = colorOf(light.specular, light.intensity, light.range);
   to.attenuation = four(light.constantAttenuation, light.linearAttenuation, light.quadraticAttenuation, light.falloff);
   to.cone = four(std::cos(light.innerAngle / 2), std::cos(light.outerAngle / 2), pixel, 0);
@@ -132,7 +135,7 @@ Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge)
     addLamp(scene.lamps()[i], view, region, shadowEdge, lighting.block.lamps[i], lighting);
   }
   // as in Fortress, whose renderer divides by pi when it spreads ambient light over the hemisphere
-  lighting.block.surroundings = colorOf(surroundings.ambient, 1 / std::numbers::pi, static_cast<double>(count));
+  lighting.block.surroundings = colorOf(surroundings.ambient, 1 / std::numbers::pi, 0);
   const Eigen::Vector3f background =
       surroundings.sky ? skyColors(*surroundings.sky).horizon : lightOf(surroundings.background);
   lighting.block.background = {background.x(), background.y(), background.z(), 1};

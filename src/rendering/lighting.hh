@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "pongsim/sensing/camera_scene.hh"
@@ -26,11 +27,33 @@ struct LampBlock {
   Eigen::Vector4f background;
 };
 
+/// What a program must know of a lamp when it is compiled.
+struct LampKind {
+  /// If false, its light comes from all over the sky.
+  bool hasPlace = false;
+  bool isSpot = false;
+  /// Number of its shadow, or -1.
+  int shadow = -1;
+
+  auto operator<=>(const LampKind&) const = default;
+};
+
+/// What a lamp sees. It depends on the camera only in scenes that are larger than their shadows.
+struct Shadow {
+  /// World frame.
+  Vector3 origin;
+  /// From positions relative to the origin to the shadow map's clip space.
+  Eigen::Matrix4d clip;
+
+  bool operator==(const Shadow&) const = default;
+};
+
 /// How a scene is lit, seen from a camera.
 struct Lighting {
   LampBlock block;
-  /// From positions relative to the camera to the clip space of each shadow map.
-  std::vector<Eigen::Matrix4d> shadows;
+  /// Of each lamp in the block.
+  std::vector<LampKind> kinds;
+  std::vector<Shadow> shadows;
 };
 
 /// @param shadowEdge Edge length of the shadow maps [pixels].

@@ -16,9 +16,11 @@
 #include "rendering/lines.hh"
 #include "rendering/program.hh"
 #include "rendering/projection.hh"
+#include "rendering/resolve.hh"
 #include "rendering/shaders.hh"
 #include "rendering/shadow_maps.hh"
 #include "rendering/store.hh"
+#include "rendering/surface_programs.hh"
 
 namespace pongsim::rendering {
 
@@ -39,9 +41,10 @@ Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
   return place;
 }
 
-/// @return All visible items: opaque ones first, then the others from far to near.
+/// @return All visible items: opaque ones first, of these the ground last, which most others hide in part; then the
+/// others from far to near.
 std::vector<const Item*> seenItems(const Scene& scene, const PictureView& view, const Matrix4d& clip) {
-  std::vector<const Item*> opaque;
+  std::vector<const Item*> opaque, ground;
   std::vector<std::pair<double, const Item*>> others;
   for (const Item& item : scene.items()) {
     if ((item.visibility & view.visibilityMask) == 0) continue;
@@ -51,10 +54,11 @@ std::vector<const Item*> seenItems(const Scene& scene, const PictureView& view, 
     if (item.paint.opacity < 1) {
       others.emplace_back(-middle.squaredNorm(), &item);
     } else {
-      opaque.push_back(&item);
+      (item.isGround ? ground : opaque).push_back(&item);
     }
   }
   std::ranges::stable_sort(others, {}, &std::pair<double, const Item*>::first);
+  opaque.insert(opaque.end(), ground.begin(), ground.end());
   for (const auto& [distance, item] : others) opaque.push_back(item);
   return opaque;
 }
@@ -66,8 +70,8 @@ class Renderer::Content {
   explicit Content(const Context& context)
       : gl_(context),
         store_(gl_),
-        shadows_(gl_),
-        plain_(gl_, shaders::kSurfaceVertex, (std::string(shaders::kPlain) + shaders::kSurfaceFragment).c_str()),
+        surfaces_(gl_),
+        resolve_(gl_),
         depths_(gl_, shaders::kSurfaceVertex, shaders::kDepthFragment),
         sky_(gl_, shaders::kSkyVertex, shaders::kSkyFragment),
         lines_(gl_) {
@@ -88,7 +92,7 @@ class Renderer::Content {
     tidy(scene);
     const int shadowEdge = std::uint64_t{view.width} * view.height > kLargePicture ? 2048 : 1024;
     const Lighting lighting = lightingOf(scene, view, shadowEdge);
-    if (!lighting.shadows.empty()) drawShadows(scene, view, lighting, shadowEdge);
+    if (!lighting.shadows.empty()) shadowsOf(shadowEdge).draw(scene, lighting.shadows, store_);
     setLighting(lighting.block);
 
     const Frame& frame = frameFor(Frame::Kind::kColors, view, view.antiAliasing >= kSamples ? kSamples : 1);
@@ -96,10 +100,11 @@ class Renderer::Content {
     gl_.enable(GL_FRAMEBUFFER_SRGB);
     begin(frame);
     drawBackground(scene, view, lighting.block);
+    surfaces_.setLamps(lighting.kinds);
     const Matrix4d clip = clipFromPlace(view);
     const Program* inUse = nullptr;
     for (const Item* item : seenItems(scene, view, clip)) {
-      const Program& program = programFor(*item);
+      const Program& program = surfaces_.of(*item);
       if (&program != inUse) {
         program.use();
         setMatrix(shaders::kClipFromPlace, clip);
@@ -110,7 +115,7 @@ class Renderer::Content {
     gl_.disable(GL_BLEND);
     gl_.depthMask(GL_TRUE);
     lines_.draw(view, clip);
-    frame.read(pixels);
+    frame.read(resolve_, pixels);
   }
 
   void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
@@ -152,21 +157,10 @@ class Renderer::Content {
     gl_.clearBufferfv(GL_DEPTH, 0, &kFar);
   }
 
-  void drawShadows(const Scene& scene, const PictureView& view, const Lighting& lighting, int edge) {
-    // both sides cast shadows
-    gl_.disable(GL_CULL_FACE);
-    shadows_.begin(edge);
-    for (std::size_t i = 0; i < lighting.shadows.size(); ++i) {
-      const Matrix4d& clip = lighting.shadows[i];
-      shadows_.use(static_cast<int>(i));
-      setMatrix(shaders::kClipFromPlace, clip);
-      for (const Item& item : scene.items()) {
-        if (!item.castsShadows || item.isGround || item.paint.opacity < 1) continue;
-        const Matrix4d place = placeFromSurface(item, view.X_WorldEye.position);
-        setMatrix(shaders::kPlaceFromSurface, place);
-        store_.draw(item.surface);
-      }
-    }
+  ShadowMaps& shadowsOf(int edge) {
+    std::unique_ptr<ShadowMaps>& shadows = shadows_[edge];
+    if (shadows == nullptr) shadows = std::make_unique<ShadowMaps>(gl_, edge);
+    return *shadows;
   }
 
   void drawBackground(const Scene& scene, const PictureView& view, const LampBlock& block) {
@@ -184,21 +178,6 @@ class Renderer::Content {
     gl_.bindVertexArray(nothing_);
     gl_.drawArrays(GL_TRIANGLES, 0, 3);
     gl_.enable(GL_DEPTH_TEST);
-  }
-
-  /// @return Whether it has textures other than its colour.
-  static bool isMapped(const Item& item) {
-    return std::any_of(item.pictures.begin() + kNormalMap, item.pictures.end(),
-                       [](const auto& picture) { return picture != nullptr; });
-  }
-
-  const Program& programFor(const Item& item) {
-    if (!isMapped(item)) return plain_;
-    if (mapped_ == nullptr) {
-      const std::string fragment = std::string(shaders::kMapped) + shaders::kSurfaceFragment;
-      mapped_ = std::make_unique<Program>(gl_, shaders::kSurfaceVertex, fragment.c_str());
-    }
-    return *mapped_;
   }
 
   void useMaps(const Item& item) {
@@ -219,10 +198,7 @@ class Renderer::Content {
     gl_.uniform3fv(shaders::kAmbient, 1, paint.ambient.data());
     gl_.uniform3fv(shaders::kSpecular, 1, paint.specular.data());
     gl_.uniform3fv(shaders::kEmissive, 1, paint.emissive.data());
-    gl_.uniform4fv(shaders::kFinish, 1,
-                   Eigen::Vector4f(paint.metalness, paint.roughness, paint.isLit ? 1.0F : 0.0F,
-                                   item.pictures[kColorMap] != nullptr ? 1.0F : 0.0F)
-                       .data());
+    gl_.uniform2fv(shaders::kFinish, 1, Eigen::Vector2f(paint.metalness, paint.roughness).data());
     useMaps(item);
     if (paint.opacity < 1) {
       gl_.enable(GL_BLEND);
@@ -259,10 +235,10 @@ class Renderer::Content {
 
   Gl gl_;
   Store store_;
-  ShadowMaps shadows_;
-  Program plain_;
-  /// Created for the first surface with maps.
-  std::unique_ptr<Program> mapped_;
+  /// Keyed by their edges.
+  std::map<int, std::unique_ptr<ShadowMaps>> shadows_;
+  SurfacePrograms surfaces_;
+  Resolve resolve_;
   Program depths_;
   Program sky_;
   Lines lines_;

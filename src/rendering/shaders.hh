@@ -10,7 +10,7 @@ inline constexpr int kDiffuse = 3;
 inline constexpr int kAmbient = 4;
 inline constexpr int kSpecular = 5;
 inline constexpr int kEmissive = 6;
-/// Metalness, roughness, whether it is lit, whether there is a texture.
+/// Metalness, roughness.
 inline constexpr int kFinish = 7;
 /// Viewing direction, unit vector.
 inline constexpr int kAhead = 8;
@@ -49,16 +49,14 @@ void main() {
 /// Smith's visibility and Schlick's approximation of the Fresnel term (Walter et al. 2007, Karis 2013). Reflections of
 /// the surroundings in smooth surfaces are approximated by the ambient light and the background.
 ///
-/// Starts with `kPlain` or `kMapped`: most surfaces have no texture other than their colour, and get a program of their
-/// own, because the processor executes both sides of a branch.
-inline constexpr const char* kPlain = "#version 450 core\n";
-inline constexpr const char* kMapped = "#version 450 core\n#define MAPPED\n";
+/// Needs what `surfaceFragment` puts in front of it: the processor executes both sides of a branch and looks up eight
+/// lamps for eight pixels, so that each kind of surface, and each set of lamps, gets a program without either.
 inline constexpr const char* kSurfaceFragment = R"(
 const float kPi = 3.14159265;
 struct Lamp {
-  vec4 place;        // seen from the eye; w: 0 for a lamp without a place, whose light comes from all over the sky
-  vec4 direction;    // where it shines; w: 1 for a spot
-  vec4 diffuse;      // w: number of its shadow, or -1
+  vec4 place;        // seen from the eye
+  vec4 direction;    // where it shines
+  vec4 diffuse;
   vec4 specular;     // w: range
   vec4 attenuation;  // constant, linear, quadratic; w: falloff
   vec4 cone;         // cosines of half the inner and the outer angle; z: edge of the shadow's pixels, of a spot's at 1 m
@@ -66,14 +64,14 @@ struct Lamp {
 layout(std140, binding = 0) uniform Lamps {
   Lamp lamps[16];
   mat4 shadowFromPlace[4];
-  vec4 surroundings;  // ambient light; w: number of lamps
+  vec4 surroundings;  // ambient light
   vec4 background;
 };
 layout(location = 3) uniform vec4 diffuse;
 layout(location = 4) uniform vec3 ambient;
 layout(location = 5) uniform vec3 specular;
 layout(location = 6) uniform vec3 emissive;
-layout(location = 7) uniform vec4 finish;
+layout(location = 7) uniform vec2 finish;
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) uniform sampler2DArrayShadow shadows;
 in vec3 place;
@@ -104,85 +102,105 @@ vec3 toldNormal(vec3 normal) {
 }
 #endif
 
-// share of a lamp's light that comes through to a place
+float fifthPower(float x) { return x * x * (x * x) * x; }
+
+// Share of a lamp's light that comes through to a place: the mean of three by three bilinear comparisons, which four by
+// four pixels of the map make together.
 float litShare(int shadow, vec3 point, vec3 normal, float pixel) {
   // a step off the surface, so that it does not shade itself
   vec4 there = shadowFromPlace[shadow] * vec4(point + normal * pixel * 3.0, 1);
   vec3 at = there.xyz / there.w;
   at.xy = at.xy * 0.5 + 0.5;
-  if (any(lessThan(at.xy, vec2(0))) || any(greaterThan(at.xy, vec2(1)))) return 1.0;
-  at.z = clamp(at.z, 0.0, 1.0);
-  float size = 1.0 / float(textureSize(shadows, 0).x), sum = 0.0;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      sum += texture(shadows, vec4(at.xy + vec2(x, y) * size, float(shadow), at.z - 0.0005));
+  bool isOutside = any(lessThan(at.xy, vec2(0))) || any(greaterThan(at.xy, vec2(1)));
+  float edge = float(textureSize(shadows, 0).x), depth = clamp(at.z, 0.0, 1.0) - 0.0005;
+  vec2 whole = floor(at.xy * edge - 0.5), part = at.xy * edge - 0.5 - whole;
+  // midway between two by two pixels each: x is theirs at the lower left, then counter-clockwise, y up
+  vec4 a = textureGather(shadows, vec3(whole / edge, shadow), depth);
+  vec4 b = textureGather(shadows, vec3((whole + vec2(2, 0)) / edge, shadow), depth);
+  vec4 c = textureGather(shadows, vec3((whole + vec2(0, 2)) / edge, shadow), depth);
+  vec4 d = textureGather(shadows, vec3((whole + vec2(2, 2)) / edge, shadow), depth);
+  vec4 rows = vec4(a.w, a.x, c.w, c.x) * (1.0 - part.x) + vec4(a.z, a.y, c.z, c.y) + vec4(b.w, b.x, d.w, d.x) +
+              vec4(b.z, b.y, d.z, d.y) * part.x;
+  float sum = rows.x * (1.0 - part.y) + rows.y + rows.z + rows.w * part.y;
+  return isOutside ? 1.0 : sum / 9.0;
+}
+
+// A place on a surface, seen from the eye.
+struct Spot {
+  vec3 normal;
+  vec3 toEye;
+  vec3 dull;    // reflected evenly
+  vec3 mirror;  // reflected at right angles
+  float cosEye;
+  float alpha;  // square of the roughness
+  float metalness;
+};
+
+// Light of a lamp that a place reflects. All but the place and the lamp's number is known when the program is compiled.
+vec3 reflected(Spot spot, int number, bool hasPlace, bool isSpot, int shadow) {
+  Lamp lamp = lamps[number];
+  vec3 toLamp = -lamp.direction.xyz;
+  float share = 1.0, pixel = lamp.cone.z;
+  if (hasPlace) {
+    vec3 way = lamp.place.xyz - place;
+    float far = length(way);
+    toLamp = way / max(far, 1e-6);
+    share = 1.0 / max(lamp.attenuation.x + lamp.attenuation.y * far + lamp.attenuation.z * far * far, 1e-3);
+    if (far > lamp.specular.w) share = 0.0;
+    if (isSpot) {
+      float within = (dot(-toLamp, lamp.direction.xyz) - lamp.cone.y) / max(lamp.cone.x - lamp.cone.y, 1e-5);
+      share = within > 0.0 ? share * pow(min(within, 1.0), max(lamp.attenuation.w, 1e-3)) : 0.0;
+      pixel *= far;
     }
   }
-  return sum / 9.0;
+  float cosLamp = max(dot(spot.normal, toLamp), 0.0);
+  if (shadow >= 0) share *= litShare(shadow, place, spot.normal, pixel);
+  vec3 between = toLamp + spot.toEye;
+  between *= inversesqrt(max(dot(between, between), 1e-12));
+  float alpha2 = spot.alpha * spot.alpha, k = spot.alpha * 0.5;
+  float cosBetween = max(dot(spot.normal, between), 0.0), round = cosBetween * cosBetween * (alpha2 - 1.0) + 1.0;
+  // spread times visibility times pi
+  float lobe = 0.25 * alpha2 / (round * round * ((cosLamp * (1.0 - k) + k) * (spot.cosEye * (1.0 - k) + k)));
+  vec3 fresnel = spot.mirror + (1.0 - spot.mirror) * fifthPower(1.0 - max(dot(between, spot.toEye), 0.0));
+  // a lamp's colour is what a white surface shows that faces it, which takes pi into account
+  return share * cosLamp * (spot.dull * lamp.diffuse.rgb + fresnel * lobe *
+                            mix(lamp.specular.rgb * specular, lamp.diffuse.rgb, spot.metalness));
 }
 
 void main() {
-  vec3 base = diffuse.rgb, inShade = ambient;
+  vec3 base = diffuse.rgb, inShade = ambient, shine = emissive;
   float opacity = diffuse.a;
-  if (finish.w > 0.0) {
-    vec4 painted = texture(picture, texel);
-    base *= painted.rgb;
-    inShade *= painted.rgb;
-    opacity *= painted.a;
-  }
-  vec3 shine = emissive;
+#ifdef TEXTURED
+  vec4 painted = texture(picture, texel);
+  base *= painted.rgb;
+  inShade *= painted.rgb;
+  opacity *= painted.a;
+#endif
+#ifdef MAPPED
+  shine *= texture(glow, texel).rgb;
+#endif
+#ifndef LIT
+  color = vec4(base + shine, opacity);
+#else
   float metalness = finish.x, rough = finish.y;
   vec3 normal = normalize(facing) * (gl_FrontFacing ? 1.0 : -1.0), toEye = normalize(-place);
 #ifdef MAPPED
-  shine *= texture(glow, texel).rgb;
   metalness *= texture(metalnesses, texel).r;
   rough *= texture(roughnesses, texel).r;
   if (hasNormals != 0) normal = toldNormal(normal);
 #endif
-  if (finish.z == 0.0) {
-    color = vec4(base + shine, opacity);
-    return;
-  }
   rough = max(rough, 0.06);
-  float alpha = rough * rough, alpha2 = alpha * alpha;
   float cosEye = max(dot(normal, toEye), 1e-3);
-  vec3 mirror = mix(0.04 * specular, base, metalness), dull = base * (1.0 - metalness);
+  vec3 mirror = mix(0.04 * specular, base, metalness);
+  Spot spot = Spot(normal, toEye, base * (1.0 - metalness), mirror, cosEye, rough * rough, metalness);
   vec3 sum = shine + surroundings.rgb * inShade * (1.0 - metalness);
   float up = reflect(-toEye, normal).z * 0.5 + 0.5;
   vec3 mirrored = mix(surroundings.rgb * 0.5, background.rgb, smoothstep(0.35, 0.65, up));
-  vec3 edge = mirror + (max(vec3(1.0 - rough), mirror) - mirror) * pow(1.0 - cosEye, 5.0);
+  vec3 edge = mirror + (max(vec3(1.0 - rough), mirror) - mirror) * fifthPower(1.0 - cosEye);
   sum += edge * mirrored * mix(1.0, 0.4, rough);
-  for (int i = 0; i < int(surroundings.w); ++i) {
-    Lamp lamp = lamps[i];
-    vec3 toLamp = -lamp.direction.xyz;
-    float share = 1.0, pixel = lamp.cone.z;
-    if (lamp.place.w > 0.0) {
-      vec3 way = lamp.place.xyz - place;
-      float far = length(way);
-      if (far > lamp.specular.w) continue;
-      toLamp = way / max(far, 1e-6);
-      share = 1.0 / max(lamp.attenuation.x + lamp.attenuation.y * far + lamp.attenuation.z * far * far, 1e-3);
-      if (lamp.direction.w > 0.0) {
-        float within = (dot(-toLamp, lamp.direction.xyz) - lamp.cone.y) / max(lamp.cone.x - lamp.cone.y, 1e-5);
-        if (within <= 0.0) continue;
-        share *= pow(min(within, 1.0), max(lamp.attenuation.w, 1e-3));
-        pixel *= far;
-      }
-    }
-    float cosLamp = dot(normal, toLamp);
-    if (cosLamp <= 0.0) continue;
-    if (lamp.diffuse.w >= 0.0) share *= litShare(int(lamp.diffuse.w), place, normal, pixel);
-    if (share <= 0.0) continue;
-    vec3 between = normalize(toLamp + toEye);
-    float cosBetween = max(dot(normal, between), 0.0), round = cosBetween * cosBetween * (alpha2 - 1.0) + 1.0;
-    float spread = alpha2 / (kPi * round * round), k = alpha * 0.5;
-    float visibility = 0.25 / ((cosLamp * (1.0 - k) + k) * (cosEye * (1.0 - k) + k));
-    vec3 fresnel = mirror + (1.0 - mirror) * pow(1.0 - max(dot(between, toEye), 0.0), 5.0);
-    // a lamp's colour is what a white surface shows that faces it, which takes pi into account
-    sum += share * cosLamp * (dull * lamp.diffuse.rgb + kPi * fresnel * spread * visibility *
-                              mix(lamp.specular.rgb * specular, lamp.diffuse.rgb, metalness));
-  }
+  LAMPS
   color = vec4(sum, opacity);
+#endif
 }
 )";
 
@@ -215,6 +233,23 @@ layout(location = 11) uniform vec3 horizon;
 in vec3 direction;
 out vec4 color;
 void main() { color = vec4(mix(horizon, zenith, pow(max(normalize(direction).z, 0.0), 0.5)), 1); }
+)";
+
+/// Makes one colour of the four samples of each pixel, as linear light.
+inline constexpr const char* kResolveVertex = R"(#version 450 core
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0, 1);
+}
+)";
+
+inline constexpr const char* kResolveFragment = R"(#version 450 core
+layout(binding = 0) uniform sampler2DMS samples;
+out vec4 color;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  color = (texelFetch(samples, at, 0) + texelFetch(samples, at, 1) + texelFetch(samples, at, 2) +
+           texelFetch(samples, at, 3)) * 0.25;
+}
 )";
 
 /// Lines of one colour each.

@@ -42,6 +42,11 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     renderer_->drawColors(scene_, view, pixels);
     return pixels;
   }
+  /// Draws as the first picture, for which nothing was kept.
+  std::vector<std::uint8_t> colorsAnew(const PictureView& view) {
+    renderer_ = std::make_unique<Renderer>(openOsmesa());
+    return colors(view);
+  }
   std::vector<float> depths(const PictureView& view) {
     std::vector<float> depths(std::size_t{view.width} * view.height);
     renderer_->drawDepths(scene_, view, depths);
