@@ -34,6 +34,12 @@ class PONGSIM_API FieldPath {
   /// @return The number: the field's default if it is not set, nothing if a list is too short. Only if `isNumber`.
   std::optional<double> numberIn(const Message& message) const;
 
+  /// @return Whether the value is a whole list of numbers.
+  bool isNumberList() const;
+
+  /// @return The numbers of a list; none if an outer list is too short. Only if `isNumberList`.
+  std::vector<double> numbersIn(const Message& message) const;
+
   /// @return The value in protobuf's text format on one line, strings without quotes, a whole list as `[a, b]`; nothing
   /// if a list is too short.
   std::optional<std::string> valueIn(const Message& message) const;

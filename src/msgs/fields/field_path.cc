@@ -69,6 +69,17 @@ double numberAt(const Message& owner, const FieldDescriptor& field, int index) {
   return value;
 }
 
+bool hasNumbers(const FieldDescriptor& field) {
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_STRING:
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// @param budget Maximum number of fields to visit, because a made-up type can have more of them than there is time
 /// for.
 void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vector<const Descriptor*>& open,
@@ -139,15 +150,12 @@ std::optional<FieldPath> FieldPath::parse(const Descriptor& type, std::string_vi
 
 bool FieldPath::isNumber() const {
   const Step& last = steps_.back();
-  if (last.field->is_repeated() && last.index < 0) return false;
-  switch (last.field->cpp_type()) {
-    case FieldDescriptor::CPPTYPE_STRING:
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return false;
-    default:
-      return true;
-  }
+  return hasNumbers(*last.field) && (!last.field->is_repeated() || last.index >= 0);
+}
+
+bool FieldPath::isNumberList() const {
+  const Step& last = steps_.back();
+  return hasNumbers(*last.field) && last.field->is_repeated() && last.index < 0;
 }
 
 const Message* FieldPath::ownerIn(const Message& message) const {
@@ -166,6 +174,22 @@ std::optional<double> FieldPath::numberIn(const Message& message) const {
   const Message* owner = ownerIn(message);
   if (owner == nullptr) return std::nullopt;
   return numberAt(*owner, *steps_.back().field, steps_.back().index);
+}
+
+std::vector<double> FieldPath::numbersIn(const Message& message) const {
+  const Message* owner = ownerIn(message);
+  if (owner == nullptr) return {};
+  const FieldDescriptor& field = *steps_.back().field;
+  const Reflection& reflection = *owner->GetReflection();
+  const int size = reflection.FieldSize(*owner, &field);
+  std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(size));
+  // the ranges of a lidar: hundreds in each message
+  const bool isDouble = field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE;
+  for (int i = 0; i < size; ++i) {
+    numbers.push_back(isDouble ? reflection.GetRepeatedDouble(*owner, &field, i) : numberAt(*owner, field, i));
+  }
+  return numbers;
 }
 
 std::optional<std::string> FieldPath::valueIn(const Message& message) const {

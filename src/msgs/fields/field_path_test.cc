@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pongsim::msgs {
 namespace {
@@ -53,6 +54,18 @@ TEST(FieldPath, LeadsIntoLists) {
   const auto numbers = messageOf("Double_V", "data: [1, 2.5]");
   EXPECT_EQ(pathOf("Double_V", "data").valueIn(*numbers), "[1, 2.5]");
   EXPECT_EQ(pathOf("Double_V", "data[1]").numberIn(*numbers), 2.5);
+}
+
+TEST(FieldPath, LeadsToListsOfNumbers) {
+  const auto doubles = messageOf("Double_V", "data: [1, 2.5, inf]");
+  EXPECT_TRUE(pathOf("Double_V", "data").isNumberList());
+  EXPECT_EQ(pathOf("Double_V", "data").numbersIn(*doubles),
+            (std::vector<double>{1, 2.5, std::numeric_limits<double>::infinity()}));
+  const auto floats = messageOf("Float_V", "data: [0.1, -3]");
+  EXPECT_EQ(pathOf("Float_V", "data").numbersIn(*floats), (std::vector<double>{0.1, -3}));
+  EXPECT_FALSE(pathOf("Double_V", "data[0]").isNumberList());
+  EXPECT_FALSE(pathOf("Pose_V", "pose").isNumberList());
+  EXPECT_FALSE(pathOf("Twist", "linear.x").isNumberList());
 }
 
 TEST(FieldPath, KnowsNumbers) {
