@@ -26,7 +26,7 @@ CHAPTERS = {
     "Getting started": ["installation", "tutorials", "cli", "gazebo", "ci"],
     "Worlds and robots": ["sdf", "urdf", "fuel", "systems", "sensors"],
     "Connecting": ["ros2", "ign", "web", "logs", "security"],
-    "Python": ["python", "gym", "sweeps"],
+    "Python": ["python", "gym", "sweeps", "testing"],
     "Extending": ["plugins", "extensions"],
     "Measured": ["physics", "determinism", "performance", "transport"],
     "Development": ["development", "design", "dependencies"],

@@ -105,6 +105,29 @@ TEST_F(PackageTest, BuildsAProgramThatAvoidsWalls) {
   EXPECT_EQ(run(script + "answer 'ranges: [2, 0.9, inf]'"), "0\t0.5\n");
 }
 
+TEST_F(PackageTest, TestsARobotWithScenariosAndGoogleTest) {
+  const bool isSanitized = std::string_view(PONGSIM_FOREIGN_FLAGS) != "";
+  if (isSanitized || !std::filesystem::exists(folder_.path() / "moved/libexec/pongsim/pongsim-test")) {
+    GTEST_SKIP() << "pongsim test is not in this build, or does not start with sanitizers";
+  }
+  build(example("testing"), "robot");
+  const std::string told = run("ctest --test-dir robot --output-on-failure --verbose");
+  EXPECT_NE(told.find("8 passed; "), std::string::npos) << told;
+  EXPECT_NE(told.find("100% tests passed, 0 tests failed out of 2"), std::string::npos) << told;
+  // ctest shows what a scenario says that fails
+  run("mkdir bad && cat >bad/CMakeLists.txt <<'END'\n"
+      "cmake_minimum_required(VERSION 3.20)\nproject(bad LANGUAGES CXX)\nenable_testing()\nfind_package(pongsim "
+      "REQUIRED)\n"
+      "pongsim_add_scenario_test(fly fly.yaml OPTIONS --quiet)\nEND\n"
+      "cat >bad/fly.yaml <<'END'\n"
+      "world: pong_world.sdf\nduration: 1\nexpect:\n  - {pose: pong_bot, eventually: {z: {above: 1}}}\nEND\n"
+      "'" PONGSIM_CMAKE
+      "' -S bad -B bad/build -DCMAKE_PREFIX_PATH=\"$PWD/moved\" >/dev/null\n"
+      "! ctest --test-dir bad/build --output-on-failure >said 2>&1\n"
+      "grep -q 'expected  eventually pose of pong_bot: z > 1' said\n"
+      "test -f bad/build/test-failures/fly/fly.seed=0/log.txt");
+}
+
 TEST_F(PackageTest, BuildsTheSystemThatItBeginsForOne) {
   const std::string told = run("pongsim plugin new my-own-system");
   EXPECT_NE(told.find("cd my-own-system && cmake"), std::string::npos) << told;

@@ -4,6 +4,7 @@
 #include "core/errors.hh"
 #include "core/handles.hh"
 #include "core/interpreter.hh"
+#include "core/monitor.hh"
 #include "core/picture.hh"
 #include "core/pool.hh"
 #include "core/python_system.hh"
@@ -34,6 +35,7 @@ PYBIND11_MODULE(_core, module) {
   python::bindSimulation(module);
   python::bindPool(module);
   python::bindPictures(module);
+  python::bindMonitor(module);
   module.attr("version") = PONGSIM_VERSION;
   module.def("set_log_level", &setLogLevel, pybind11::arg("level"),
              "Sets how much the process says on stderr: 0 nothing, 1 errors, 2 warnings (the default), 3 more, 4 all.");

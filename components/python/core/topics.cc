@@ -148,6 +148,16 @@ void publish(Life& life, const std::string& topic, py::handle message, const std
   publisher.publish(*filled);
 }
 
+void checkMessage(Life& life, const std::string& topic, py::handle message, const std::string& type) {
+  const std::string name = typeFor(life, topic, type.empty() ? typeOfObject(message) : type);
+  const MessagePointer filled = newMessage(name);
+  fillIn(*filled, message);
+  checkTypeOfTopic(life, topic, name);
+  if (const std::optional<std::string> reason = life.use().transport().node().refusal(topic, *filled)) {
+    throw py::value_error("the message on '" + topic + "' is refused: " + *reason);
+  }
+}
+
 py::object request(const std::shared_ptr<Life>& life, const std::string& service, py::handle message,
                    const std::string& requestType, py::handle replyType, double timeout) {
   const std::chrono::nanoseconds limit = nanoseconds(timeout);

@@ -40,6 +40,9 @@ std::string typeFor(Life& life, const std::string& topic, const std::string& typ
 /// Publishes a message of the requested type, else of its class's type, else of the topic's type.
 void publish(Life& life, const std::string& topic, py::handle message, const std::string& type);
 
+/// Raises what `publish` would raise, and publishes nothing.
+void checkMessage(Life& life, const std::string& topic, py::handle message, const std::string& type);
+
 /// Calls a service and waits for the reply.
 py::object request(const std::shared_ptr<Life>& life, const std::string& service, py::handle message,
                    const std::string& requestType, py::handle replyType, double timeout);

@@ -96,9 +96,9 @@ class Node:
 _FLOAT = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
-def read(text: str, file: str) -> Node:
+def read(text: str, file: str, purpose: str = "a sweep") -> Node:
     """Parses the file. Raises SweepError with the position."""
-    yaml = need("yaml", "a sweep")
+    yaml = need("yaml", purpose)
 
     class Loader(yaml.SafeLoader):  # type: ignore[misc, name-defined]
         """Does not accept aliases, with which a few lines can produce endless values."""

@@ -11,9 +11,10 @@ import pathlib
 from typing import Any, Mapping, Union
 
 from .. import _core
-from . import design, document, template, world
+from . import document, template, world
 from .document import Node
 from .errors import SweepError, nearest
+from .matrix import MatrixReader
 from .plan import TAKES, Command, Condition, Function, Measure, Plan, Run, Until
 
 #: A sweep: its file, or the file's content as a dict.
@@ -54,23 +55,22 @@ def read(source: Source) -> Sweep:
     return _Reader(root, file).sweep(data)
 
 
-class _Reader:
+class _Reader(MatrixReader):
+    reserved = RESERVED
+
     def __init__(self, root: Node, file: pathlib.Path | None) -> None:
-        self.root = root
-        self.parts = root.mapping("a sweep", _KEYS)
+        super().__init__(root, root.mapping("a sweep", _KEYS), file.parent if file is not None else pathlib.Path("."))
         self.file = file
-        self.folder = file.parent if file is not None else pathlib.Path(".")
         self.sources: dict[str, str] = {}
         #: Paths of the Python files, by their names in the sweep's file.
         self.judges: dict[str, str] = {}
-        self.names: list[str] = []
 
     def sweep(self, data: bytes) -> Sweep:
         """Reads and validates everything."""
         for key in ("world", "measures"):
             if key not in self.parts:
                 self.root.fail(f"a sweep has no '{key}'")
-        runs, target_paths = self._runs()
+        runs, target_paths = self.runs()
         plan = self._plan(target_paths)
         self._check_use(plan, target_paths)
         digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
@@ -82,68 +82,13 @@ class _Reader:
         plan = dataclasses.replace(plan, key=_digest(json.dumps(digests, sort_keys=True).encode()))
         return Sweep(plan, runs, self.file, digests)
 
-    def _runs(self) -> tuple[list[Run], list[world.TargetPath]]:
-        axes: list[design.Axis] = []
-        target_paths: list[world.TargetPath] = []
-        parameters = self.parts["parameters"].mapping("parameters") if "parameters" in self.parts else {}
-        self.names = list(parameters)
-        for name, node in parameters.items():
-            if not name.isidentifier() or name in RESERVED:
-                node.fail(f"'{name}' can't be the name of a parameter", "use letters, digits and _, and not " + ", ".join(RESERVED))
-            node.mapping(f"parameter '{name}'", ["values", "range", "between", "xpath", "text"])
-            axes.append(design.read_axis(name, node))
-            target_paths += self._target_paths(name, node)
-        combine = self.parts["combine"].text("combine") if "combine" in self.parts else "grid"
-        if combine not in ("grid", "zip"):
-            self.parts["combine"].fail(f"combine must be grid or zip, not '{combine}'")
-        samples, seed = self._sampling(axes)
-        runs = design.make_runs(axes, combine, samples, seed, design.read_seeds(self.parts.get("seeds")), self.root)
-        return runs, target_paths
-
-    def _sampling(self, axes: list[design.Axis]) -> tuple[int, int]:
-        drawn = [axis for axis in axes if axis.between is not None]
-        node = self.parts.get("latin_hypercube")
-        if node is None:
-            if drawn:
-                drawn[0].at.fail(f"'{drawn[0].name}' has 'between', but the sweep has no 'latin_hypercube'",
-                                 "write latin_hypercube: {samples: 100, seed: 1}")
-            return 0, 0
-        parts = node.mapping("latin_hypercube", ["samples", "seed"])
-        if not drawn:
-            node.fail("latin_hypercube needs a parameter with 'between'")
-        if "samples" not in parts:
-            node.fail("latin_hypercube has no 'samples'")
-        samples = parts["samples"].whole("samples", least=1, most=design.MOST_RUNS)
-        return samples, parts["seed"].whole("the seed of latin_hypercube") if "seed" in parts else 0
-
-    def _target_paths(self, name: str, node: Node) -> list[world.TargetPath]:
-        parts = node.mapping("a parameter")
-        text = parts["text"].text("text") if "text" in parts else None
-        if "xpath" not in parts:
-            if text is not None:
-                parts["text"].fail("'text' needs an 'xpath'")
-            return []
-        if text is not None:
-            self._check_names(text, parts["text"])
-        paths = parts["xpath"].list("xpath") if isinstance(parts["xpath"].value, list) else [parts["xpath"]]
-        return [world.TargetPath(name, path.text("xpath"), text, path.at) for path in paths]
-
-    def _check_names(self, text: Any, node: Node) -> None:
-        for name in template.names(text, node.at):
-            if name not in self.names:
-                node.fail(f"${name} is not a parameter", nearest(name, self.names) or "write $$ for a $")
-
     def _plan(self, target_paths: list[world.TargetPath]) -> Plan:
-        world_node = self.parts["world"]
-        path = str(self.folder / world_node.text("world"))
-        if not os.path.isfile(path):
-            world_node.fail(f"there is no file {path}")
-        text = world.read(path, world_node.at) if target_paths else None
+        path, text, targets = self.read_world(target_paths)
         duration, until = self._end()
         limits = self._limits()
         return Plan(
             key="", version=_core.version, world=path, text=text,
-            targets=world.find(text, path, target_paths) if text is not None else (), commands=self._commands(),
+            targets=targets, commands=self._commands(),
             measures=self._measures(),
             setup=self._function("", self.parts["setup"]) if "setup" in self.parts else None,
             duration=limits["simulated"].number("limits.simulated", above=0) if until is not None else duration,
@@ -192,7 +137,7 @@ class _Reader:
             message = parts["message"].plain()
             if not isinstance(message, (dict, str)):
                 parts["message"].fail("a message must be a mapping of its fields, or protobuf text")
-            self._check_names(message, parts["message"])
+            self.check_names(message, parts["message"])
             commands.append(Command(
                 parts["topic"].text("topic"), parts["type"].text("type") if "type" in parts else "",
                 parts["at"].number("at", least=0) if "at" in parts else 0.0, message))

@@ -1,0 +1,199 @@
+"""Makes one run of a scenario in this process."""
+
+from __future__ import annotations
+
+import contextlib
+import heapq
+import itertools
+import time
+import warnings
+from typing import Iterator
+
+from .. import _core
+from ..errors import LoadError, SystemFailed, WorldWarning, describe
+from ..simulation import Simulation
+from ..sweep.errors import SweepError, nearest
+from ..sweep.execute import WallLimit, wall_limit
+from .domains import domain
+from .programs import Beside, Noted, ProgramError
+from .result import Judged, Result, Status
+from .scenario import Case, Publication
+
+#: With programs beside it, a run goes on in parts of this simulated time [s]: between them it looks at the programs and
+#: at the wall clock.
+_PART = 0.005
+
+
+class Mistake(Exception):
+    """The scenario asks for what the world does not have. The text has its position."""
+
+
+def execute(case: Case, noted: Noted = lambda group, begins: None, recorder: str = "", pictures: str = "",
+            until: float | None = None) -> Result:
+    """Makes the run. Whatever goes wrong is in the result.
+
+    noted: told of the processes that programs are.
+    recorder: the element of a system that records the run.
+    pictures: a folder for what the cameras see at the end.
+    until: end it after this simulated time [s].
+    """
+    result = Result()
+    begin = time.perf_counter()
+    try:
+        with wall_limit(case.wall):
+            _Attempt(case, result, recorder, pictures, until).make(noted)
+        result.status = Status.PASSED if not result.failures else Status.FAILED
+    except WallLimit:
+        result.reason = f"it took longer than {case.wall:g} s of wall time, at {result.sim_time:g} s of simulated time"
+    except Mistake as mistake:
+        result.status, result.reason = Status.MISTAKE, str(mistake)
+    except (ProgramError, SweepError) as error:
+        result.reason = str(error)
+    except LoadError as error:
+        result.reason = "the world can't be loaded: " + "; ".join(str(each) for each in error.diagnostics if each.is_error)
+    except SystemFailed as error:
+        result.reason = str(error)
+    except (OSError, ValueError, RuntimeError) as error:
+        result.reason = describe(error)
+    result.wall_time = time.perf_counter() - begin
+    return result
+
+
+class _Attempt:
+    def __init__(self, case: Case, result: Result, recorder: str, pictures: str, until: float | None) -> None:
+        self.case = case
+        self.result = result
+        self.recorder = recorder
+        self.pictures = pictures
+        self.end = case.duration if until is None else min(until, case.duration)
+        #: What is to be published, by time.
+        self.due: list[tuple[float, int, Publication]] = []
+        self.count = itertools.count()
+        #: Publications that wait for an event, by the event's number.
+        self.waiting: dict[int, Publication] = {}
+        self.beside: list[Beside] = []
+
+    def make(self, noted: Noted) -> None:
+        """Makes the run. Raises what keeps it from its end."""
+        case = self.case
+        number: int | None = None
+        with contextlib.ExitStack() as stack:
+            if case.programs:
+                number = stack.enter_context(domain())
+            stack.callback(self._end_programs)
+            for program in case.programs:
+                self.beside.append(Beside(program, number or 0, noted))
+            with self._world(number) as sim:
+                try:
+                    self._run(sim)
+                finally:
+                    self.result.sim_time = sim.time
+
+    def _end_programs(self) -> None:
+        for each in self.beside:
+            self.result.printed[each.program.name] = each.end()
+
+    @contextlib.contextmanager
+    def _world(self, number: int | None) -> Iterator[Simulation]:
+        case = self.case
+        world = case.text if case.text is not None else case.world
+        if self.recorder:
+            world = with_system(case.text if case.text is not None else _text_of(case.world), self.recorder)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", WorldWarning)
+            sim = Simulation(world, file=case.world, seed=case.run.seed, strict=True, network=number is not None,
+                             domain=number)
+        self.result.warnings = [str(each.message) for each in caught if issubclass(each.category, WorldWarning)]
+        with sim:
+            yield sim
+
+    def _run(self, sim: Simulation) -> None:
+        monitor = _core.Monitor(sim)
+        numbers = self._add(sim, monitor)
+        for each in self.beside:
+            each.wait_until_ready(lambda topic, publisher: _core.wait_for_other(sim, topic, publisher, 0.0), sim.dispatch)
+        self._steps(sim, monitor, numbers)
+        # before the messages of the last step are delivered, whose receivers may change something
+        self.result.state_hash = f"{sim.state_hash():016x}"
+        monitor.finish()
+        for expected, number in zip(self.case.expected, numbers):
+            state, when, words, seen, field, times, values = monitor.verdict(number)
+            self.result.judged.append(Judged(expected.at, expected.name, state == "met", when, words, seen, field, times, values))
+        if self.pictures:
+            from .artefacts import draw
+
+            self.result.kept += draw(sim, self.pictures)
+
+    def _add(self, sim: Simulation, monitor: _core.Monitor) -> list[int]:
+        """Gives the monitor what is to be judged. Raises Mistake."""
+        numbers = []
+        at = ""
+        try:
+            for expected in self.case.expected:
+                at = expected.at
+                numbers.append(monitor.add(expected.spec))
+            for publication in self.case.publications:
+                at = publication.at
+                self._check(sim, publication)
+                if publication.after is None:
+                    self._put(publication, publication.time)
+                else:
+                    self.waiting[monitor.add({"mode": "eventually", "events": [publication.after]})] = publication
+        except (ValueError, TypeError) as error:
+            raise Mistake(f"{at}: error: {error}") from None
+        return numbers
+
+    def _check(self, sim: Simulation, publication: Publication) -> None:
+        """Raises ValueError and TypeError if the message can't be published."""
+        topic = publication.topic if publication.topic.startswith("/") else "/" + publication.topic
+        if not publication.type and topic not in sim.topics:
+            raise ValueError(f"the world has no topic {topic} ({nearest(topic, sim.topics)}; or give its 'type')")
+        _core.check_message(sim, topic, publication.message, publication.type)
+
+    def _put(self, publication: Publication, when: float) -> None:
+        heapq.heappush(self.due, (when, next(self.count), publication))
+
+    def _steps(self, sim: Simulation, monitor: _core.Monitor, numbers: list[int]) -> None:
+        begin = time.monotonic()
+        while sim.time < self.end:
+            self._publish(sim)
+            next_time = min(self.end, self.due[0][0] if self.due else self.end)
+            if self.case.programs or self.case.speed > 0:
+                next_time = min(next_time, sim.time + _PART)
+            if monitor.run_until(next_time):
+                self._note_events(sim, monitor)
+                if all(monitor.verdict(number)[0] != "pending" for number in numbers):
+                    break
+            for each in self.beside:
+                each.check()
+            if self.case.speed > 0:
+                time.sleep(max(0.0, begin + sim.time / self.case.speed - time.monotonic()))
+
+    def _publish(self, sim: Simulation) -> None:
+        # half a nanosecond: times are whole nanoseconds
+        while self.due and self.due[0][0] <= sim.time + 5e-10:
+            when, _, publication = heapq.heappop(self.due)
+            try:
+                sim.publish(publication.topic, publication.message, type=publication.type)
+            except (ValueError, TypeError) as error:
+                raise Mistake(f"{publication.at}: error: {error}") from None
+            if publication.every:
+                self._put(publication, when + publication.every)
+
+    def _note_events(self, sim: Simulation, monitor: _core.Monitor) -> None:
+        for number in [each for each in self.waiting if monitor.verdict(each)[0] == "met"]:
+            publication = self.waiting.pop(number)
+            self._put(publication, sim.time + publication.time)
+
+
+def _text_of(world: str) -> str:
+    with open(world, encoding="utf-8") as file:
+        return file.read()
+
+
+def with_system(text: str, element: str) -> str:
+    """Returns the world with a system more, without another line. Raises ValueError for a file without a world."""
+    place = text.find("</world>")
+    if place < 0:
+        raise ValueError("it has no <world>")
+    return text[:place] + element + text[place:]

@@ -1,0 +1,360 @@
+"""Reads scenarios: YAML files that say what a world is to do."""
+
+from __future__ import annotations
+
+import dataclasses
+import pathlib
+import re
+import shlex
+from typing import Any, Mapping
+
+from ..sweep import document, template
+from ..sweep.document import Node
+from ..sweep.errors import SweepError, nearest
+from ..sweep.matrix import MatrixReader
+from ..sweep.plan import Run, Target
+from .conditions import read_fields
+
+#: What the monitor judges: see `core/monitor.cc`.
+Spec = dict[str, Any]
+
+KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "publish", "programs", "speed",
+        "expect", "limits", "keep")
+MODES = ("eventually", "always", "never", "in_order")
+SIGNALS = ("topic", "pose", "velocity", "joint", "contact")
+WINDOW = ("within", "during", "at", "for", "after", "until")
+KEEP = ("recording", "picture", "log")
+#: A larger matrix is a sweep.
+MOST_RUNS = 10_000
+
+
+@dataclasses.dataclass(frozen=True)
+class Expected:
+    """An expectation, and where it is."""
+
+    spec: Spec
+    at: str
+    name: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Publication:
+    """A message: when to publish it."""
+
+    topic: str
+    type: str
+    message: Any
+    #: Simulated time [s], or since the event.
+    time: float
+    #: An event after which it is published.
+    after: Spec | None
+    #: Repeated with this period [s] from then on; 0: once.
+    every: float
+    at: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Ready:
+    """When a program is ready: what it prints, publishes or subscribes to."""
+
+    kind: str
+    value: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Program:
+    """A program that runs beside the world."""
+
+    name: str
+    command: list[str]
+    environment: dict[str, str]
+    folder: str
+    ready: Ready | None
+    #: Longest wait for it [s of wall time].
+    wait: float
+    #: Whether it may end before the run, with code 0.
+    ends: bool
+    at: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """One run of a scenario."""
+
+    #: Its file, and its name for people.
+    file: str
+    name: str
+    run: Run
+    world: str
+    #: The world's text, with the run's parameters; None: it is the file.
+    text: str | None
+    #: Simulated time [s].
+    duration: float
+    #: Limit of wall time [s].
+    wall: float
+    #: Simulated seconds per second; 0: as fast as it goes.
+    speed: float
+    publications: tuple[Publication, ...]
+    programs: tuple[Program, ...]
+    expected: tuple[Expected, ...]
+    keep: tuple[str, ...]
+
+    @property
+    def label(self) -> str:
+        """Its parameters and seed: "speed=0.5 seed=1"; empty for the only run."""
+        return " ".join([*(f"{name}={value}" for name, value in self.run.parameters.items()), f"seed={self.run.seed}"])
+
+
+@dataclasses.dataclass(frozen=True)
+class Scenario:
+    """A validated scenario."""
+
+    file: str
+    name: str
+    cases: list[Case]
+
+
+def read(source: str | pathlib.Path | Mapping[str, Any], folder: str | pathlib.Path = ".") -> Scenario:
+    """Reads a scenario: a file, or its content as a dict, whose files are in `folder`. Raises SweepError with file, line
+    and column."""
+    if isinstance(source, Mapping):
+        return _Reader(document.from_plain(dict(source), "scenario"), pathlib.Path(folder), "scenario").scenario()
+    file = pathlib.Path(source)
+    try:
+        root = document.read(file.read_bytes().decode(), str(file), "a scenario")
+    except OSError as error:
+        raise SweepError(f"{file}: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise SweepError(f"it is not UTF-8 text: {error.reason}", at=str(file)) from None
+    return _Reader(root, file.parent, str(file)).scenario()
+
+
+class _Reader(MatrixReader):
+    def __init__(self, root: Node, folder: pathlib.Path, file: str) -> None:
+        super().__init__(root, root.mapping("a scenario", KEYS), folder)
+        self.file = file
+
+    def scenario(self) -> Scenario:
+        """Reads and validates everything."""
+        for key in ("world", "duration", "expect"):
+            if key not in self.parts:
+                self.root.fail(f"a scenario has no '{key}'")
+        runs, target_paths = self.runs()
+        if len(runs) > MOST_RUNS:
+            self.root.fail(f"these are {len(runs)} runs, more than {MOST_RUNS}", "pongsim sweep makes that many")
+        world, text, targets = self.read_world(target_paths)
+        for part in ("publish", "programs", "expect"):
+            if part in self.parts:
+                self.check_names(self.parts[part].plain(), self.parts[part])
+        self._check_use({path.parameter for path in target_paths})
+        name = self.parts["name"].text("name") if "name" in self.parts else ""
+        cases: list[Case] = []
+        made: dict[str, Case] = {}
+        for run in runs:
+            # seeds change nothing but themselves
+            key = repr(run.parameters)
+            if key not in made:
+                made[key] = self._case(run, name, world, text, targets)
+            cases.append(dataclasses.replace(made[key], run=run))
+        return Scenario(self.file, name or self.file, cases)
+
+    def _check_use(self, used: set[str]) -> None:
+        for part in ("publish", "programs", "expect"):
+            if part in self.parts:
+                used |= set(template.names(self.parts[part].plain(), ""))
+        for name in self.names:
+            if name not in used:
+                self.parts["parameters"].value[name].fail(f"parameter '{name}' is not used",
+                                                          f"give it an xpath, or use ${name} in a message or condition")
+
+    def _case(self, run: Run, name: str, world: str, text: str | None, targets: tuple[Target, ...]) -> Case:
+        from ..sweep import world as worlds
+
+        parts = {key: _filled(node, run.parameters) for key, node in self.parts.items()}
+        limits = parts["limits"].mapping("limits", ["wall"]) if "limits" in parts else {}
+        programs = _programs(parts.get("programs"), self.folder)
+        return Case(
+            file=self.file, name=name or self.file, run=run, world=world,
+            text=worlds.put(text, targets, run.parameters) if text is not None else None,
+            duration=float(parts["duration"].number("duration", above=0)),
+            wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else 300.0,
+            # a controller is made for a robot in real time
+            speed=float(parts["speed"].number("speed", least=0)) if "speed" in parts else (1.0 if programs else 0.0),
+            publications=_publications(parts.get("publish"), self.folder), programs=programs,
+            expected=tuple(read_expectation(each, self.folder) for each in parts["expect"].list("expect")),
+            keep=_keep(parts.get("keep")))
+
+
+def _filled(node: Node, parameters: Mapping[str, Any]) -> Node:
+    if isinstance(node.value, dict):
+        return Node({key: _filled(each, parameters) for key, each in node.value.items()}, node.at)
+    if isinstance(node.value, list):
+        return Node([_filled(each, parameters) for each in node.value], node.at)
+    return Node(template.fill(node.value, parameters), node.at) if isinstance(node.value, str) else node
+
+
+def _signal(parts: Mapping[str, Node], node: Node, what: str) -> Spec:
+    """Reads what is watched: `topic: /scan`, `contact: [robot, wall]`."""
+    given = [key for key in SIGNALS if key in parts]
+    if len(given) != 1:
+        node.fail(f"{what} has {' and '.join(given) or 'nothing to watch'}", f"give one of {', '.join(SIGNALS)}")
+    kind = given[0]
+    value = parts[kind]
+    if kind != "contact" or not isinstance(value.value, list):
+        return {"kind": kind, "name": value.text(f"'{kind}'")}
+    sides = [each.text("a side of a contact") for each in value.list("'contact'")]
+    if len(sides) != 2:
+        value.fail(f"a contact has two sides, not {len(sides)}", "write [robot, wall], or robot for anything it touches")
+    return {"kind": kind, "name": sides[0], "other": sides[1]}
+
+
+def _event(node: Node, what: str, folder: pathlib.Path) -> Spec:
+    """Reads an event: `{topic: /wall/touched, is: {data: true}}`."""
+    parts = node.mapping(what, [*SIGNALS, "is"])
+    signal = _signal(parts, node, what)
+    is_node = parts.get("is", Node(True, node.at))
+    return _with_fields(signal, is_node, f"'is' of {what}", folder)
+
+
+def _with_fields(signal: Spec, node: Node, what: str, folder: pathlib.Path) -> Spec:
+    criteria = read_fields(node, what, (signal["kind"], signal["name"]), folder)
+    if not criteria and signal["kind"] in ("pose", "velocity", "joint"):
+        node.fail(f"{what} needs fields: a {signal['kind']} is always there", "for example {x: {above: 1}}"
+                  if signal["kind"] != "joint" else "for example {position: {above: 1}}")
+    return {**signal, "criteria": criteria}
+
+
+def read_expectation(node: Node, folder: pathlib.Path) -> Expected:
+    """Reads an entry of `expect`."""
+    parts = node.mapping("an expectation", ["name", *SIGNALS, *MODES, *WINDOW])
+    modes = [key for key in MODES if key in parts]
+    if len(modes) != 1:
+        node.fail(f"an expectation has {' and '.join(modes) or 'none of ' + ', '.join(MODES)}", "give one of them")
+    mode = modes[0]
+    if mode == "in_order":
+        for key in SIGNALS:
+            if key in parts:
+                parts[key].fail(f"'{key}' goes into the events of 'in_order'", "write in_order: [{" + key + ": ..., is: ...}, ...]")
+        events = [_event(each, "an event of 'in_order'", folder) for each in parts["in_order"].list("in_order")]
+    else:
+        events = [_with_fields(_signal(parts, node, "an expectation"), parts[mode], f"'{mode}'", folder)]
+    spec: Spec = {"mode": mode, "events": events}
+    for key in ("after", "until"):
+        if key in parts:
+            spec[key] = _event(parts[key], f"'{key}'", folder)
+    _read_window(parts, mode, spec)
+    _limit_to_recording(spec)
+    return Expected(spec, node.at, parts["name"].text("name") if "name" in parts else "")
+
+
+def _read_window(parts: Mapping[str, Node], mode: str, spec: Spec) -> None:
+    given = [key for key in ("within", "during", "at") if key in parts]
+    if len(given) > 1:
+        parts[given[1]].fail(f"an expectation has {' and '.join(given)}", "give one of them")
+    if "at" in parts and mode != "always":
+        parts["at"].fail("'at' goes with 'always'", "write always: ..., at: 3; or 'during' or 'within'")
+    if "within" in parts and mode in ("always", "never") and "until" not in parts:
+        parts["within"].fail(f"'within' does not go with '{mode}'", "write during: [0, 3]; or until: ... for its end")
+    if "until" in parts and mode not in ("always", "never"):
+        parts["until"].fail("'until' goes with 'always' or 'never'")
+    if "for" in parts:
+        if mode != "eventually":
+            parts["for"].fail("'for' goes with 'eventually'", "write during: [0, 3]")
+        spec["hold"] = float(parts["for"].number("for", above=0))
+    if "within" in parts:
+        spec["to"] = float(parts["within"].number("within", above=0))
+    elif "at" in parts:
+        spec["from"] = spec["to"] = float(parts["at"].number("at", least=0))
+    elif "during" in parts:
+        bounds = [float(each.number("a time of 'during'", least=0)) for each in parts["during"].list("during")]
+        if len(bounds) not in (1, 2) or sorted(bounds) != bounds:
+            parts["during"].fail("'during' is [from, to], or [from] for the rest of the run")
+        spec["from"] = bounds[0]
+        if len(bounds) == 2:
+            spec["to"] = bounds[1]
+
+
+def _limit_to_recording(spec: Spec) -> None:
+    """Without a window, a comparison goes as far as the recorded run does."""
+    if "to" in spec or "after" in spec or "until" in spec:
+        return
+    ranges = [each["recorded"][0] for event in spec["events"] for each in event["criteria"] if "recorded" in each]
+    if ranges:
+        spec["from"] = max(times[0] for times in ranges)
+        spec["to"] = max(spec["from"], min(times[-1] for times in ranges))
+
+
+def _publications(node: Node | None, folder: pathlib.Path) -> tuple[Publication, ...]:
+    made = []
+    for each in node.list("publish") if node is not None else []:
+        parts = each.mapping("a message to publish", ["topic", "type", "message", "at", "after", "every"])
+        for key in ("topic", "message"):
+            if key not in parts:
+                each.fail(f"a message to publish has no '{key}'")
+        message = parts["message"].plain()
+        if not isinstance(message, (dict, str)):
+            parts["message"].fail("a message must be a mapping of its fields, or protobuf text")
+        made.append(Publication(
+            parts["topic"].text("topic"), parts["type"].text("type") if "type" in parts else "", message,
+            float(parts["at"].number("at", least=0)) if "at" in parts else 0.0,
+            _event(parts["after"], "'after'", folder) if "after" in parts else None,
+            float(parts["every"].number("every", above=0)) if "every" in parts else 0.0, each.at))
+    return tuple(made)
+
+
+def _programs(node: Node | None, folder: pathlib.Path) -> tuple[Program, ...]:
+    made: list[Program] = []
+    for each in node.list("programs") if node is not None else []:
+        parts = each.mapping("a program", ["name", "command", "environment", "folder", "ready", "wait", "ends"])
+        if "command" not in parts:
+            each.fail("a program has no 'command'")
+        command = _command(parts["command"])
+        environment = parts["environment"].mapping("environment") if "environment" in parts else {}
+        ends = parts["ends"].value if "ends" in parts else False
+        if not isinstance(ends, bool):
+            parts["ends"].fail("'ends' must be true or false")
+        made.append(Program(
+            parts["name"].text("name") if "name" in parts else pathlib.Path(command[0]).name, command,
+            {key: str(value.scalar(f"'{key}' of the environment")) for key, value in environment.items()},
+            str(folder / (parts["folder"].text("folder") if "folder" in parts else ".")),
+            _ready(parts["ready"]) if "ready" in parts else None,
+            float(parts["wait"].number("wait", above=0)) if "wait" in parts else 30.0, ends, each.at))
+    return tuple(made)
+
+
+def _command(node: Node) -> list[str]:
+    if isinstance(node.value, list):
+        return [str(each.scalar("a word of a command")) for each in node.list("command")]
+    try:
+        words = shlex.split(node.text("command"))
+    except ValueError as error:
+        node.fail(f"the command '{node.value}': {error}")
+    if not words:
+        node.fail("the command is empty")
+    return words
+
+
+def _ready(node: Node) -> Ready:
+    parts = node.mapping("ready", ["prints", "publishes", "subscribes"])
+    if len(parts) != 1:
+        node.fail("ready needs one of prints, publishes, subscribes", "write ready: {publishes: /cmd_vel}")
+    [(kind, value)] = parts.items()
+    text = value.text(f"'{kind}'")
+    if kind == "prints":
+        try:
+            re.compile(text)
+        except re.error as error:
+            value.fail(f"'{text}' is not a regular expression: {error}")
+    return Ready(kind, text)
+
+
+def _keep(node: Node | None) -> tuple[str, ...]:
+    if node is None:
+        return KEEP
+    if node.value == []:
+        return ()
+    words = [each.text("a word of 'keep'") for each in node.list("keep")]
+    for word, each in zip(words, node.value):
+        if word not in KEEP:
+            each.fail(f"there is no '{word}' to keep", nearest(word, KEEP))
+    return tuple(words)
