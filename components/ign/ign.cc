@@ -29,6 +29,7 @@ class Ign final : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Puts the topics and services of the world on ign-transport, for the clients of Fortress or later.",
                    Declaration::Place::kWorld);
+    declaration.standsOutside();
     declaration
         .parameter("names", &names_, "", "of types and environment variables: Fortress's, or those since Garden (gz)")
         .oneOf({"ign", "gz"});

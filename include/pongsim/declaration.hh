@@ -145,6 +145,10 @@ class PONGSIM_API Declaration {
   /// and worlds from outside: see `InsertOptions::isFromOutside`.
   void usesFiles() { usesFiles_ = true; }
 
+  /// Says that the system stands outside the simulated world, which it connects with other programs or records: what it
+  /// publishes and requests is input of the world. A replay of a run leaves it out.
+  void standsOutside() { isOutside_ = true; }
+
   void publishes(std::string topic, std::string type, std::string text);
   void subscribes(std::string topic, std::string type, std::string text);
   void serves(std::string service, std::string requestType, std::string replyType, std::string text);
@@ -161,6 +165,7 @@ class PONGSIM_API Declaration {
   const std::deque<Parameter>& parameters() const { return parameters_; }
   bool topicsAreShared() const { return sharesTopics_; }
   bool hasFiles() const { return usesFiles_; }
+  bool isOutside() const { return isOutside_; }
   const std::vector<Endpoint>& endpoints() const { return endpoints_; }
   const std::vector<SensorReadings>& readings() const { return readings_; }
   const std::vector<std::string>& readTypes() const { return readTypes_; }
@@ -177,6 +182,7 @@ class PONGSIM_API Declaration {
   Place place_ = Place::kAnywhere;
   bool sharesTopics_ = false;
   bool usesFiles_ = false;
+  bool isOutside_ = false;
   // references to its elements are given away
   std::deque<Parameter> parameters_;
   std::vector<Endpoint> endpoints_;

@@ -26,6 +26,7 @@ class AnyType;
 class Bus;
 class DispatchQueue;
 class Inbox;
+class InputGate;
 struct PublisherState;
 }  // namespace transport
 
@@ -208,6 +209,11 @@ class PONGSIM_API CallGuard {
   virtual void call(Moment moment, void (*function)(void* data), void* data) = 0;
   /// Called when a topic is advertised.
   virtual void advertised(std::string_view topic, std::string_view type) = 0;
+  /// Whether its functions belong to a simulated world, whose inputs can be recorded and replayed.
+  virtual bool isOfWorld() const { return false; }
+  /// Whether the calling thread is in a function of that world: what is published or requested there comes again by
+  /// itself when the world is replayed.
+  virtual bool isActing() const { return false; }
 
   /// The same for a function object.
   template <class Function>
@@ -436,6 +442,7 @@ class PONGSIM_API Transport {
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
+  friend class transport::InputGate;
   std::shared_ptr<transport::Bus> bus_;
   transport::DispatchQueue* queue_;
 };

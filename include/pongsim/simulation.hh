@@ -26,8 +26,9 @@ namespace pongsim {
 class System;
 
 namespace sim {
+class Inside;
 class Runner;
-}
+}  // namespace sim
 
 struct SimulationOptions {
   /// Seed of all random numbers of the run.
@@ -56,6 +57,8 @@ struct SimulationOptions {
   /// in the folders of systems: whoever writes the file can then run any code. The environment variable
   /// PONGSIM_ALLOW_PLUGIN_PATHS=1 allows it as well. Never done for inserted models and for files of a Fuel server.
   bool allowPluginPaths = false;
+  /// Load systems that connect the world with other programs or record it (`Declaration::standsOutside`).
+  bool outsideSystems = true;
 };
 
 /// What a file had to insert: a model, or a light by its name.
@@ -224,6 +227,7 @@ class PONGSIM_API Simulation {
   Transport& transport();
 
  private:
+  friend class sim::Inside;
   friend class sim::Runner;
   struct Parts;
 

@@ -10,6 +10,8 @@ void addVersionOption(CLI::App& program, Work& work);
 void addRunCommand(CLI::App& program, Work& work);
 /// Without them.
 void addPlainRunCommand(CLI::App& program, Work& work);
+void addReplayCommand(CLI::App& program, Work& work);
+void addBisectCommand(CLI::App& program, Work& work);
 void addSdfCommand(CLI::App& program, Work& work);
 void addCompletionCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);

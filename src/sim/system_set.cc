@@ -85,6 +85,7 @@ SystemSet::~SystemSet() = default;
 void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
                      Diagnostics& diagnostics) {
   loadsPlugins_ = true;
+  loadsOutsiders_ = options.outsideSystems;
   if (options.allowPluginPaths || environmentAllowsPaths()) paths_ = plugin::Loader::Paths::kAllowed;
   const std::vector<world::ModelRecord>& models = access_.entities.models();
   if (!models.empty()) lastOfFile_ = models.back().id;
@@ -164,7 +165,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     system = loader_.load(plugin, origin.paths, origin.need, diagnostics);
     if (system != nullptr) declaration = declared(*system, name, plugin.sdf.position, diagnostics);
   }
-  if (!declaration) return;
+  if (!declaration || (declaration->isOutside() && !loadsOutsiders_)) return;
 
   std::optional<Model> model;
   std::optional<Actor> actor;

@@ -160,6 +160,8 @@ class SystemSet {
   /// Whether plugins of files are loaded, including those of models inserted later; otherwise there are only added
   /// systems.
   bool loadsPlugins_ = false;
+  /// Whether systems are loaded that connect the world with other programs or record it.
+  bool loadsOutsiders_ = true;
   /// Whether plugins of the initial world may name libraries by path.
   plugin::Loader::Paths paths_ = plugin::Loader::Paths::kNeedLeave;
   /// Folder of the Fuel cache, whose files are from servers.

@@ -26,7 +26,8 @@ SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed fai
       queue_(edits),
       edits_(edits, *this),
       failed_(std::move(failed)),
-      advertised_(std::move(advertised)) {}
+      advertised_(std::move(advertised)),
+      isOutside_(parts_.declaration.isOutside()) {}
 
 SystemSlot::~SystemSlot() {
   const base::RunningPart running(crashName_.c_str(), "in its destructor");
@@ -71,7 +72,9 @@ void SystemSlot::run(const char* phase, const Function& function) {
   std::optional<std::string> outerCommand;
   if (isNested) outerCommand.swap(access_.badCommand);
   access_.systemThread.store(std::this_thread::get_id(), kRelaxed);
+  const bool wasOutsider = std::exchange(access_.isOutsiderActing, isOutside_);
   attempt(phase, function);
+  access_.isOutsiderActing = wasOutsider;
   if (access_.badCommand) switchOff(phase, *std::exchange(access_.badCommand, std::nullopt));
   if (isNested) {
     access_.badCommand.swap(outerCommand);

@@ -95,6 +95,9 @@ class SystemSlot final : public CallGuard {
   /// Sets its random stream.
   void setRandom(Random random) { parts_.random = random; }
 
+  /// Notes that the system asks for a change of the world.
+  void noteEdit() const { access_.noteOutsideChange(); }
+
   /// Calls a function of the system with the same error handling as its phases.
   void answer(const std::function<void()>& call);
   const Logger& log() const { return log_; }
@@ -114,6 +117,10 @@ class SystemSlot final : public CallGuard {
   using CallGuard::call;
   void call(Moment moment, void (*function)(void* data), void* data) override;
   void advertised(std::string_view topic, std::string_view type) override;
+  bool isOfWorld() const override { return !isOutside_; }
+  bool isActing() const override {
+    return !isOutside_ && access_.systemThread.load(std::memory_order_relaxed) == std::this_thread::get_id();
+  }
 
  private:
   template <class Function>
@@ -137,6 +144,7 @@ class SystemSlot final : public CallGuard {
   // atomic, because publishers' threads read them for subscriptions that are called at once
   std::atomic<bool> isOff_ = false;
   std::atomic<bool> isResting_ = false;
+  const bool isOutside_;
 };
 
 }  // namespace pongsim::sim

@@ -67,7 +67,7 @@ void Bus::endUnused(Channel& channel) {
 }
 
 std::unique_ptr<PublisherState> Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
-                                                  const PublisherOptions& options) {
+                                                  const PublisherOptions& options, const CallGuard* guard) {
   if (options.relays && options.latched) throw std::invalid_argument("a relaying publisher can't be latched");
   const SetUpLock lock(setUp_);
   // first, since it may throw
@@ -78,7 +78,7 @@ std::unique_ptr<PublisherState> Bus::addPublisher(DispatchQueue& queue, std::str
       network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
     }
     Writer* const writer = options.ownOnly ? nullptr : channel.writer.get();
-    std::unique_ptr<PublisherState> publisher(new PublisherState{*this, queue, channel, writer, options});
+    std::unique_ptr<PublisherState> publisher(new PublisherState{*this, queue, channel, writer, options, guard});
     channel.countPublisher(queue, options, 1);
     return publisher;
   });
@@ -183,9 +183,9 @@ void Bus::receive(Channel& channel, const ParticipantId& sender, Buffer& sample)
 }
 
 Offer& Bus::addService(DispatchQueue& queue, std::string_view service, std::string_view requestType,
-                       std::string_view replyType, ServiceHandler handler) {
+                       std::string_view replyType, ServiceHandler handler, bool isOfWorld) {
   const SetUpLock lock(setUp_);
-  return server_.add(queue, service, requestType, replyType, std::move(handler));
+  return server_.add(queue, service, requestType, replyType, std::move(handler), isOfWorld);
 }
 
 void Bus::end(Offer& offer) {
@@ -259,6 +259,7 @@ std::size_t Bus::dispatch(DispatchQueue& queue) {
   std::size_t handedOver = 0;
   hearFoundTypes(queue);
   delivery_.collect(queue);
+  if (queue.gate != nullptr) queue.replaces() ? replace(queue) : note(queue);
   for (const Arrival& arrival : queue.arrivals) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;

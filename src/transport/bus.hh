@@ -49,7 +49,7 @@ class Bus {
   /// Types are full names; `queue` is that of the calling transport.
   /// @throws std::invalid_argument for an invalid topic name; std::runtime_error if DDS refuses.
   std::unique_ptr<PublisherState> addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
-                                               const PublisherOptions& options);
+                                               const PublisherOptions& options, const CallGuard* guard);
   void end(PublisherState& publisher);
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                          Inbox::Function function, const SubscriptionOptions& options, CallGuard* guard);
@@ -59,7 +59,7 @@ class Bus {
                       const SubscriptionOptions& options, CallGuard* guard);
   void end(AnyType& any);
   Offer& addService(DispatchQueue& queue, std::string_view service, std::string_view requestType,
-                    std::string_view replyType, ServiceHandler handler);
+                    std::string_view replyType, ServiceHandler handler, bool isOfWorld);
   void end(Offer& offer);
 
   /// The topics of the queue's transport.
@@ -83,6 +83,11 @@ class Bus {
   void openReader(Channel& channel) REQUIRES(setUpRole);
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   TrafficReport traffic();
+
+  // input_gate.cc
+  void note(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  void replace(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  Inbox* findInbox(DispatchQueue& queue, const Intake::Place& place);
 
   // any_type.cc
   std::vector<AnyType*> anyTypesOn(const std::string& topic);

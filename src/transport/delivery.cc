@@ -88,6 +88,11 @@ Parcel* Delivery::take(const Channel& channel, std::size_t size) {
   return parcels_.take(channel.spare, size);
 }
 
+void Delivery::giveBack(const std::vector<Parcel*>& parcels) {
+  const WaitingLock lock(mutex);
+  for (Parcel* parcel : parcels) parcels_.giveBack(parcel);
+}
+
 void Delivery::deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from) {
   DispatchQueue* first = nullptr;
   {

@@ -41,6 +41,8 @@ class Delivery {
 
   /// @return A parcel for the channel's messages, with a buffer of that size.
   Parcel* take(const Channel& channel, std::size_t size);
+  /// Ends one use of each.
+  void giveBack(const std::vector<Parcel*>& parcels);
   /// Puts a message into the inboxes that it is for.
   /// @param from Null for another process.
   void deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from);

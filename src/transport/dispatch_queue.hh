@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "transport/inbox.hh"
+#include "transport/input_gate.hh"
 #include "transport/locks.hh"
 #include "transport/services/service_server.hh"
 
@@ -39,6 +40,9 @@ class DispatchQueue {
   std::vector<std::unique_ptr<Offer>> endedOffers GUARDED_BY(dispatchingRole);
   /// What a called function has thrown; `dispatch` throws it when it has called the others.
   std::exception_ptr failure GUARDED_BY(dispatchingRole);
+  /// Notes or replaces what comes from outside; null for most runs.
+  InputGate* gate GUARDED_BY(dispatchingRole) = nullptr;
+  bool replaces() const REQUIRES(dispatchingRole) { return gate != nullptr && gate->use() == InputGate::Use::kReplace; }
 
   /// Calls a function of a subscription, service or request. Notes what it throws: the first exception in `failure`,
   /// others in the log.

@@ -67,6 +67,8 @@ class Inbox {
   /// Passes a message to a subscription at once, within `publish`.
   void hear(const Message& message, const Bulk* bulk) const;
   void hearBytes(std::size_t size, const std::function<void(std::span<std::byte>)>& write) const;
+  /// @return Whether its function belongs to the queue's world.
+  bool isOfWorld() const { return guard_ != nullptr && guard_->isOfWorld(); }
   /// @return Whether it receives messages of its own transport within `publish`.
   bool isAtOnce() const { return hearsMessages() || hearsBytes(); }
   bool hearsMessages() const { return std::holds_alternative<HeardAtOnce>(function_); }

@@ -57,7 +57,7 @@ Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, co
 }
 
 Publisher Node::advertiseAs(const std::string& type, std::string_view topic, const PublisherOptions& options) {
-  Publisher publisher(bus_->addPublisher(*queue_, fullName(topic), type, options).release());
+  Publisher publisher(bus_->addPublisher(*queue_, fullName(topic), type, options, guard_).release());
   if (guard_ != nullptr) guard_->advertised(publisher.state_->channel.topic, type);
   return publisher;
 }
@@ -166,7 +166,9 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
       return answer;
     };
   }
-  return Service(*bus_, bus_->addService(*queue_, fullName(service), requestType, replyType, std::move(handler)));
+  const bool isOfWorld = guard_ == nullptr || guard_->isOfWorld();
+  return Service(*bus_,
+                 bus_->addService(*queue_, fullName(service), requestType, replyType, std::move(handler), isOfWorld));
 }
 
 void Service::End::operator()(transport::Bus* bus) const { bus->end(*offer); }
@@ -187,8 +189,9 @@ PendingRequest Node::request(std::string_view service, const Message& request, s
     };
   }
   transport::ServiceClient& client = bus_->client();
+  const bool isOwn = guard_ != nullptr && guard_->isActing();
   const std::optional<std::uint64_t> number =
-      client.post(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered));
+      client.post(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered), isOwn);
   PendingRequest pending;
   if (number) pending.client_ = {&client, {*number}};
   return pending;

@@ -47,6 +47,7 @@ Parcel* ParcelPool::take(SpareParcels& spare, std::size_t size) {
   parcel->bytes = buffer;
   parcel->users = 1;
   parcel->sender = kThisProcess;
+  parcel->origin = nullptr;
   parcel->state_.store(Parcel::State::kUnread, std::memory_order_relaxed);
   return parcel;
 }

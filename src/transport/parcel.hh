@@ -11,6 +11,7 @@
 
 namespace pongsim::transport {
 
+class DispatchQueue;
 class Parcel;
 
 /// Parcels of one message type that nobody uses.
@@ -24,6 +25,8 @@ struct SpareParcels {
 class Parcel {
  public:
   ParticipantId sender{};
+  /// The queue of the world that published it in its own step or dispatch; null where it comes from outside.
+  const DispatchQueue* origin = nullptr;
   /// The message in protobuf's binary form.
   Buffer* bytes = nullptr;
   std::size_t users = 0;

@@ -69,6 +69,7 @@ void sendLater(PublisherState& publisher, const Destinations& to, std::size_t si
   }
   Delivery& delivery = publisher.bus.delivery();
   Parcel* parcel = delivery.take(channel, size);
+  if (publisher.guard != nullptr && publisher.guard->isActing()) parcel->origin = &publisher.queue;
   const std::span<std::byte> bytes = parcel->bytes->bytes;
   fill(bytes);
   // with std::ranges, GCC 12 copies single bytes

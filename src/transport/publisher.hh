@@ -20,6 +20,8 @@ struct PublisherState {
   /// To other processes; null if it publishes to none.
   Writer* const writer;
   const PublisherOptions options;
+  /// Of the system that publishes, or null.
+  const CallGuard* const guard;
   std::atomic<std::uint64_t> sent = 0;
   /// Subscribers reported so far.
   std::uint64_t knownSubscribers = 0;

@@ -53,6 +53,7 @@ RecordSystem::~RecordSystem() {
 void RecordSystem::declare(Declaration& declaration) {
   declaration.is("Records the world's state and topics into a folder, for LogPlayback.", Declaration::Place::kWorld);
   declaration.usesFiles();
+  declaration.standsOutside();
   declaration.parameter("record_path", &path_, "", "folder of the recording")
       .otherwise("HOME/.ignition/gazebo/log/TIME");
   declaration.parameter(

@@ -26,6 +26,7 @@ class Ros2 final : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Makes the simulation a ROS 2 node, which bridges its topics under their own names.",
                    Declaration::Place::kWorld);
+    declaration.standsOutside();
     elements_.declare(declaration);
     robotSettings_.declare(declaration);
     declaration.parameter(

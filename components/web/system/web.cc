@@ -64,6 +64,7 @@ class Web final : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Shows the world in browsers, and to clients of Foxglove and of ign-launch's WebSocket server.",
                    Declaration::Place::kWorld);
+    declaration.standsOutside();
     parameters_.declare(declaration);
   }
 

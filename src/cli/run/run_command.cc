@@ -19,12 +19,15 @@
 #include "cli/extension/extension_world.hh"
 #include "cli/files/diagnostic_report.hh"
 #include "cli/files/world_file.hh"
+#include "cli/help/version.hh"
 #include "cli/options/network_option.hh"
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
 #include "cli/options/secure_option.hh"
+#include "cli/replay/recorded_world.hh"
 #include "cli/run/fortress_environment.hh"
 #include "cli/run/fortress_run_options.hh"
+#include "cli/run/input_recording.hh"
 #include "cli/run/readiness.hh"
 #include "cli/stop_signal.hh"
 #include "pongsim/log.hh"
@@ -32,6 +35,7 @@
 #include "pongsim/simulation.hh"
 #include "shared/program/console.hh"
 #include "shared/program/failure.hh"
+#include "sim/inputs/world_content.hh"
 #include "sim/running/runner.hh"
 #include "sim/running/server.hh"
 
@@ -55,6 +59,8 @@ struct RunCommandOptions {
   bool strict = false;
   bool allowPluginPaths = false;
   bool levels = false;
+  /// Empty: none.
+  std::string recordedInputs;
   /// From extensions.
   RunAdditions additions;
   FortressRunOptions fortress;
@@ -78,8 +84,6 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   return text + (options.paused ? ", paused" : "");
 }
 
-using Worlds = std::vector<std::unique_ptr<Simulation>>;
-
 /// @return The worlds to run; none on errors, which are in `diagnostics` or have been reported.
 Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagnostics& diagnostics) {
   const RunAdditions& additions = options.additions;
@@ -99,8 +103,7 @@ Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagno
     one = Simulation::fromText(*text, additions.world->arguments.back(), simulated, diagnostics);
   } else if (!options.hasFile) {
     // as in Fortress
-    one = Simulation::fromText("<sdf version='1.9'><world name='default'/></sdf>", "the empty world", simulated,
-                               diagnostics);
+    one = Simulation::fromText(kEmptyWorld, "the empty world", simulated, diagnostics);
   } else {
     const std::optional<std::filesystem::path> file = fetchWorldFile(options.file, diagnostics);
     if (!file) return {};
@@ -150,6 +153,30 @@ std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t w
   };
 }
 
+/// @return What a recording of the run's inputs begins with.
+sim::RunStart startOf(const RunCommandOptions& options, const Worlds& worlds) {
+  sim::RunStart start;
+  start.version = versionText();
+  start.sdf = kEmptyWorld;
+  if (options.hasFile) {
+    Diagnostics diagnostics;
+    const std::filesystem::path file = fetchWorldFile(options.file, diagnostics).value_or(options.file);
+    start.file = std::filesystem::absolute(file).lexically_normal().string();
+    if (std::optional<sim::WorldContent> content = sim::contentOf(start.file)) {
+      start.sdf = std::move(content->sdf);
+      start.files = std::move(content->files);
+    }
+  }
+  for (const auto& world : worlds) start.worlds.emplace_back(world->world().name());
+  start.onlyWorld = options.world;
+  start.systems = options.additions.systems;
+  start.seed = options.seed;
+  start.levels = options.levels;
+  start.allowPluginPaths = options.allowPluginPaths;
+  start.paused = options.run.paused;
+  return start;
+}
+
 /// Lets the worlds' systems complete their files, such as recordings.
 /// @return Whether all are complete; otherwise it was reported.
 bool finish(const Worlds& worlds) {
@@ -195,16 +222,26 @@ int runWorlds(const RunCommandOptions& options) {
       return isPrinted.load();
     };
   }
-  sim::Server server(transport, worlds, run);
-  const StopSignal::Callback stop(signal, [&server] { server.stop(); });
-  std::string status;
-  for (const auto& world : worlds) status += (status.empty() ? "" : "; ") + startLine(*world, options.run);
-  tellReady(status);
-  server.run();
+  std::optional<InputRecording> inputs;
+  if (!options.recordedInputs.empty()) {
+    inputs.emplace(options.recordedInputs, startOf(options, worlds), worlds);
+    inputs->addTo(run);
+  }
+  std::optional<sim::Server> server(std::in_place, transport, worlds, run);
+  {
+    const StopSignal::Callback stop(signal, [&server] { server->stop(); });
+    std::string status;
+    for (const auto& world : worlds) status += (status.empty() ? "" : "; ") + startLine(*world, options.run);
+    tellReady(status);
+    server->run();
+  }
   tellStopping();
   if (options.hash && isPrinted) isPrinted = printHashes(worlds);
+  // ends what records inputs
+  server.reset();
+  const bool areRecorded = !inputs || inputs->finish();
   const bool areComplete = finish(worlds);
-  return isPrinted && areComplete ? kDone : kFailed;
+  return isPrinted && areRecorded && areComplete ? kDone : kFailed;
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
@@ -216,6 +253,10 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   }
   if (!options.world.empty() && !options.hasFile) {
     throw UsageError("option '-w' needs a world file", "pongsim run FILE -w WORLD");
+  }
+  if (!options.recordedInputs.empty() && !worldOption.empty()) {
+    throw UsageError("options '--record-inputs' and '" + worldOption + "' can't be used together",
+                     "a recording that is played has no inputs");
   }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' can't be used together");
   options.fortress.check();
@@ -272,6 +313,11 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
           "Load libraries that the file's <plugin>s name by a path; it can then run any code");
   addFlag("--levels", options->levels,
           "Load the contents of a <level> only while a <performer> is near (everything, always)");
+  add("--record-inputs", "FILE", "Record all that comes from outside, for 'pongsim replay FILE'",
+      [options](const std::string& text) {
+        if (text.empty()) throw UsageError("option '--record-inputs' needs a file");
+        options->recordedInputs = text;
+      });
   addFlag("--hash", options->hash, "Print a hash of the state's bits at the end");
   add("--hash-every", "N", "Print that hash every N steps, too",
       [options](const std::string& text) { options->hashPeriod = wholeNumber("--hash-every", text, 1); });
@@ -285,7 +331,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run three_worlds.sdf -w maze\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash\n"
-      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000");
+      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000\n"
+      "  pongsim run worlds/pong_world.sdf --record-inputs run.inputs");
   for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
   command->callback([options, &work, command, known = std::vector(extensions.begin(), extensions.end())] {
     for (const Extension& extension : known) checkExcluded(*command, extension);

@@ -55,6 +55,14 @@ class Access {
   std::atomic<std::thread::id> systemThread = std::thread::id();
   std::optional<std::string> badCommand = std::nullopt;
 
+  /// Whether a system that stands outside is running on that thread, and how many changes of the world such systems have
+  /// made or asked for: changes that are no messages and requests, and that no recording of inputs has.
+  bool isOutsiderActing = false;
+  std::uint64_t outsideChanges = 0;
+  void noteOutsideChange() {
+    if (isOutsiderActing) ++outsideChanges;
+  }
+
   /// Reports an invalid command.
   void refuse(std::string what) {
     if (systemThread.load(std::memory_order_relaxed) != std::this_thread::get_id()) {

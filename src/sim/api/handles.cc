@@ -77,6 +77,7 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
   }
   const world::Slot slot = slotOf(*access_, id_);
   if (!access_->engine.setLinkVelocity(slot, linear, angular)) return;
+  access_->noteOutsideChange();
   access_->state.links[slot].v_WorldLink = linear;
   access_->state.links[slot].w_WorldLink = angular;
 }

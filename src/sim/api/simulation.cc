@@ -25,6 +25,7 @@
 #include "sim/edits/light_edits.hh"
 #include "sim/edits/model_edits.hh"
 #include "sim/file_worlds.hh"
+#include "sim/inputs/inside.hh"
 #include "sim/levels.hh"
 #include "sim/resource_services.hh"
 #include "sim/running/server_config.hh"
@@ -382,5 +383,7 @@ void Simulation::offerEdits() {
 std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->access.state); }
 
 Transport& Simulation::transport() { return parts_->transport; }
+
+const sim::Access& sim::Inside::access(const Simulation& simulation) { return simulation.parts_->access; }
 
 }  // namespace pongsim

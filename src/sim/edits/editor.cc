@@ -101,6 +101,7 @@ void Editor::move(const std::vector<world::Slot>& links, const Pose& X_NewOld, A
 
 Outcome<void> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
   if (const char* fault = poseFault(X_WorldModel)) return {std::string("the pose ") + fault};
+  access_.noteOutsideChange();
   const Pose X_WorldNew{X_WorldModel.position, X_WorldModel.rotation.normalized()};
   std::vector<world::Slot> links = access_.entities.allLinks(model);
   std::ranges::sort(links);
@@ -122,6 +123,7 @@ Outcome<void> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, Aft
     return {"link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
             joint->description->name + "'"};
   }
+  access_.noteOutsideChange();
   const Pose X_WorldNew{X_WorldLink.position, X_WorldLink.rotation.normalized()};
   move({link}, X_WorldNew * access_.state.links[link].X_WorldLink.inverse(), after);
   return {};

@@ -16,8 +16,8 @@ constexpr std::chrono::milliseconds kRangePeriod{100};
 
 }  // namespace
 
-RunHistory::RunHistory(Simulation& simulation) : simulation_(simulation), range_(newMessage(kRangeType)) {
-  if (!simulation.hasPhysics()) return;
+RunHistory::RunHistory(Simulation& simulation, bool isKept) : simulation_(simulation), range_(newMessage(kRangeType)) {
+  if (!isKept || !simulation.hasPhysics()) return;
   publisher_ = simulation.transport().node().advertise(
       cleanTopic("/world/" + std::string(simulation.world().name()) + "/playback/stats"), kRangeType);
 }
@@ -55,7 +55,7 @@ Outcome<void> RunHistory::goTo(Time time) {
   const auto after = std::ranges::upper_bound(states_, time, {}, &State::time);
   if (after == states_.begin()) {
     return {"no state of that time is kept: the last minute is, while somebody listens to /world/" +
-            std::string(simulation_.world().name()) + "/playback/stats"};
+            std::string(simulation_.world().name()) + "/playback/stats and the run's inputs are not recorded"};
   }
   Outcome<void> restored = simulation_.restoreState(std::prev(after)->bytes);
   if (!restored) states_.erase(states_.begin(), after);

@@ -28,7 +28,8 @@ class RunHistory {
   static constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
   /// @param simulation Must outlive it.
-  explicit RunHistory(Simulation& simulation);
+  /// @param isKept If false, it keeps nothing: going back is not an input that a replay could repeat.
+  RunHistory(Simulation& simulation, bool isKept);
 
   /// To be called after each step. Forgets what is later than now: the run has gone back, and goes on from there.
   void stepped();

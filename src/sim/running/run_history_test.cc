@@ -30,7 +30,7 @@ class RunHistoryTest : public testing::Test {
         "</physics>" +
             ball("a") + "</world></sdf>",
         "world.sdf", {.loadSystems = false}, diagnostics);
-    history_.emplace(*simulation_);
+    history_.emplace(*simulation_, true);
   }
 
   void listen() {
@@ -91,7 +91,8 @@ TEST_F(RunHistoryTest, KeepsNothingThatNobodyWants) {
   const Outcome<void> gone = history_->goTo(milliseconds(2000));
   ASSERT_FALSE(gone);
   EXPECT_EQ(gone.error,
-            "no state of that time is kept: the last minute is, while somebody listens to /world/w/playback/stats");
+            "no state of that time is kept: the last minute is, while somebody listens to /world/w/playback/stats "
+            "and the run's inputs are not recorded");
   listen();
   run(100);
   EXPECT_FALSE(history_->goTo(milliseconds(3000)));
@@ -99,6 +100,13 @@ TEST_F(RunHistoryTest, KeepsNothingThatNobodyWants) {
   listener_ = {};
   run(1);
   EXPECT_FALSE(history_->goTo(milliseconds(9000)));
+}
+
+TEST_F(RunHistoryTest, KeepsNothingWhereInputsAreRecorded) {
+  history_.emplace(*simulation_, false);
+  listen();
+  run(100);
+  EXPECT_FALSE(history_->goTo(milliseconds(500)));
 }
 
 TEST_F(RunHistoryTest, KeepsAMinute) {
@@ -123,7 +131,7 @@ TEST_F(RunHistoryTest, LeavesRecordingsToThemselves) {
   Diagnostics diagnostics;
   const auto played = Simulation::fromText("<sdf version='1.9'><world name='w'/></sdf>", "world.sdf",
                                            {.loadSystems = false, .physics = false}, diagnostics);
-  const RunHistory history(*played);
+  const RunHistory history(*played, true);
   EXPECT_TRUE(played->transport().node().ownTopics().empty());
 }
 

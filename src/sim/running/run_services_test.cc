@@ -21,7 +21,7 @@ TEST(RunServices, TellWhichPanelsTheFileAsksFor) {
       "world.sdf", {.loadSystems = false}, diagnostics);
   ASSERT_NE(simulation, nullptr);
   RunControl control(true);
-  RunHistory history(*simulation);
+  RunHistory history(*simulation, true);
   const RunServices services(*simulation, control, history, {});
   ignition::msgs::GUI gui;
   EXPECT_TRUE(test::askService(simulation->transport(), "/world/w/gui/info", *newMessage("Empty"), gui));

@@ -62,8 +62,10 @@ struct Runner::Parts {
         options(o),
         status(std::in_place, s.transport(), std::string(s.world().name()), static_cast<bool>(folderAdded)),
         control(o.paused),
-        history(std::in_place, s),
-        services(std::in_place, s, control, *history, std::move(folderAdded)) {}
+        history(std::in_place, s, !o.observe),
+        services(std::in_place, s, control, *history, std::move(folderAdded)) {
+    if (options.observe) observer = options.observe(s);
+  }
 
   void publishStatus(Clock::time_point now) {
     status->publish({.simulated = simulation.time(),
@@ -83,6 +85,7 @@ struct Runner::Parts {
   RunControl control;
   std::optional<RunHistory> history;
   std::optional<RunServices> services;
+  std::unique_ptr<RunObserver> observer;
   RealTimeFactor factor;
   std::chrono::nanoseconds real{0};
   std::uint64_t made = 0;
@@ -94,6 +97,7 @@ Runner::Runner(Simulation& simulation, const RunOptions& options, ResourceServic
 Runner::~Runner() = default;
 
 void Runner::leave() {
+  parts_->observer.reset();
   parts_->services.reset();
   parts_->history.reset();
   parts_->status.reset();
@@ -116,6 +120,23 @@ void Runner::doTasks() {
   for (const auto& task : tasks) task(parts_->simulation);
 }
 
+void Runner::addFolder(const std::filesystem::path& folder) {
+  post([this, folder](Simulation& simulation) {
+    simulation.addResourceFolder(folder);
+    if (parts_->observer) parts_->observer->folderAdded(folder);
+  });
+}
+
+void Runner::dispatched() {
+  if (parts_->observer) parts_->observer->dispatched();
+}
+
+/// One step; zero: nothing moves.
+void Runner::advance(Time dt) {
+  parts_->simulation.advance(dt);
+  if (parts_->observer) parts_->observer->advanced(dt == Time::zero());
+}
+
 void Runner::run() {
   // the default timer slack of 50 us is a twentieth of the usual step of 1 ms
   prctl(PR_SET_TIMERSLACK, 1UL);
@@ -134,9 +155,10 @@ bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_-
 void Runner::waitPaused() {
   Parts& parts = *parts_;
   doTasks();
-  parts.simulation.advance(Time::zero());
+  advance(Time::zero());
   parts.publishStatus(Clock::now());
   parts.simulation.transport().dispatchFor(kPausedPeriod);
+  dispatched();
 }
 
 void Runner::runSteps() {
@@ -148,9 +170,10 @@ void Runner::runSteps() {
   while (!isOver()) {
     doTasks();
     parts.simulation.transport().dispatch();
+    dispatched();
     // a request handled by `dispatch` takes effect before its response is sent: no step follows the response to a pause
     if (parts.control.paused() || isOver()) return;
-    parts.simulation.advance(parts.simulation.stepSize());
+    advance(parts.simulation.stepSize());
     ++parts.made;
     if (parts.options.stepped && !parts.options.stepped(parts.simulation)) stop();
     parts.control.stepped(parts.simulation.time());

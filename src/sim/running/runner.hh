@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "pongsim/simulation.hh"
+#include "sim/inputs/run_observer.hh"
 #include "sim/resource_services.hh"
 
 namespace pongsim::sim {
@@ -22,6 +24,8 @@ struct RunOptions {
   std::optional<double> updateRate = std::nullopt;
   /// Called after each step, on its thread; may be empty. If it returns false, the run ends.
   std::function<bool(Simulation&)> stepped = {};
+  /// Makes what is told of each step of a world, before the first; may be empty.
+  std::function<std::unique_ptr<RunObserver>(Simulation&)> observe = {};
 };
 
 /// Steps a simulation at the pace of the wall clock, publishes its status on `/world/W/clock`, `/world/W/stats` and,
@@ -45,6 +49,8 @@ class Runner {
 
   /// Queues `task`, which `run` calls between two steps. Thread-safe.
   void post(std::function<void(Simulation&)> task);
+  /// Adds a resource folder between two steps. Thread-safe.
+  void addFolder(const std::filesystem::path& folder);
 
   /// Makes `run` end soon. Thread-safe and lock-free, so it may be called from a signal handler.
   void stop() { stopping_.store(true); }
@@ -52,6 +58,8 @@ class Runner {
  private:
   bool isOver() const;
   void doTasks();
+  void dispatched();
+  void advance(Time dt);
   void waitPaused();
   void runSteps();
 

@@ -36,7 +36,7 @@ void Server::stop() {
 /// Adds a folder to the other worlds; the first one, whose service got the request, has added it.
 void Server::addFolder(const std::filesystem::path& folder) {
   for (std::size_t i = 1; i < runners_.size(); ++i) {
-    runners_[i]->post([folder](Simulation& simulation) { simulation.addResourceFolder(folder); });
+    runners_[i]->addFolder(folder);
   }
 }
 

@@ -98,7 +98,7 @@ CallResult ServiceClient::callOwn(const DispatchQueue& asker, const std::string&
   CallScope call(*this, {});
   std::vector<std::byte> message(msgs::byteSize(request));
   msgs::writeBytes(request, message);
-  if (!own_.post(asker, service, call.number(), std::move(message))) {
+  if (!own_.post(asker, service, call.number(), std::move(message), false)) {
     if (!own_.typesOf(asker, service)) return {CallOutcome::kNoService, "there is no service '" + service + "'"};
     return failed(CallOutcome::kNoAnswer, service, "has too many requests waiting");
   }
@@ -259,7 +259,7 @@ bool ServiceClient::isWaitedFor(std::uint64_t call) {
 }
 
 std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::string_view service, const Message& request,
-                                                 const std::string& replyType, Answered answered) {
+                                                 const std::string& replyType, Answered answered, bool isOwn) {
   const std::string name = absoluteService(service);
   const auto types = own_.typesOf(asker, name);
   if (!types || types->first != msgs::typeName(request) || types->second != replyType) return std::nullopt;
@@ -272,7 +272,7 @@ std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::stri
     if (answered) posted_[number] = {&asker, name, newMessage(replyType), std::move(answered)};
   }
   try {
-    if (own_.post(asker, name, number, std::move(message))) return number;
+    if (own_.post(asker, name, number, std::move(message), isOwn)) return number;
   } catch (...) {
     forget(number);
     throw;

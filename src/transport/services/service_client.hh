@@ -41,10 +41,11 @@ class ServiceClient {
 
   /// Sends a request to one of the transport's own services. `answered` is called when it has responded or ended:
   /// within `dispatch` of the asker's queue if the service belongs to another queue.
+  /// @param isOwn Whether the asker's world makes it in its own step or dispatch.
   /// @return The request's number; nothing if there is no such service with these types, or too many requests are
   /// waiting.
   std::optional<std::uint64_t> post(DispatchQueue& asker, std::string_view service, const Message& request,
-                                    const std::string& replyType, Answered answered);
+                                    const std::string& replyType, Answered answered, bool isOwn);
 
   /// Calls the functions of this queue's requests to which services of other queues have responded.
   /// @return Their number.

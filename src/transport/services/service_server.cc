@@ -41,12 +41,13 @@ Endpoint announced(const Offer& offer) {
 }  // namespace
 
 Offer::Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
-             ServiceHandler function)
+             ServiceHandler function, bool isWorlds)
     : queue(place),
       name(std::move(service)),
       requestType(std::move(typeOfRequest)),
       replyType(std::move(typeOfReply)),
       handler(std::move(function)),
+      isOfWorld(isWorlds),
       request(newMessage(requestType)),
       reply(newMessage(replyType)) {}
 
@@ -58,9 +59,9 @@ ServiceServer::ServiceServer(Network* network, Arrived arrived, AnswerOwn answer
 ServiceServer::~ServiceServer() = default;
 
 Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::string_view requestType,
-                          std::string_view replyType, ServiceHandler handler) {
+                          std::string_view replyType, ServiceHandler handler, bool isOfWorld) {
   auto owned = std::make_unique<Offer>(queue, absoluteService(service), knownType(requestType), knownType(replyType),
-                                       std::move(handler));
+                                       std::move(handler), isOfWorld);
   Offer& offer = *owned;
   bool isFirst = false;
   {
@@ -222,12 +223,13 @@ bool ServiceServer::append(Offer& offer, Offer::Request request) {
 }
 
 bool ServiceServer::post(const DispatchQueue& asker, const std::string& service, std::uint64_t call,
-                         std::vector<std::byte> message) {
+                         std::vector<std::byte> message, bool isOwn) {
   DispatchQueue* queue = nullptr;
   {
     const RequestsLock lock(mutex_);
     Offer* offer = find(asker, service);
-    Offer::Request request{0, kOwn, call, std::chrono::steady_clock::now(), std::move(message)};
+    Offer::Request request{
+        0, kOwn, call, std::chrono::steady_clock::now(), std::move(message), isOwn ? &asker : nullptr};
     if (offer == nullptr || !append(*offer, std::move(request))) return false;
     queue = &offer->queue;
   }
@@ -236,9 +238,10 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
 }
 
 /// Moves those whose answers would arrive to `ready`, and drops those that nobody waits for any more.
-void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
+void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready, bool ownOnly) {
   const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
   std::erase_if(offer.waiting, [&](Offer::Request& request) REQUIRES(requestsRole) {
+    if (ownOnly && request.client != kOwn) return false;
     const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
     if (!isReady && request.came >= tooOld) return false;
     offer.waitingBytes -= request.message.size();
@@ -255,11 +258,12 @@ std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
     const RequestsLock lock(mutex_);
     for (const auto& [name, offers] : offers_) {
       for (const auto& offer : offers) {
-        if (&offer->queue == &queue) takeReady(*offer, ready);
+        if (&offer->queue == &queue) takeReady(*offer, ready, queue.replaces());
       }
     }
   }
   std::ranges::sort(ready, {}, [](const Ready& each) { return each.request.number; });
+  if (queue.gate != nullptr) queue.replaces() ? replace(queue, ready) : note(queue, ready);
   for (const Ready& each : ready) {
     if (each.offer->ended) {
       if (each.request.client == kOwn) answerOwn_(queue, each.request.call, std::nullopt, {});

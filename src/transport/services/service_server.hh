@@ -32,7 +32,7 @@ class Writer;
 class Offer {
  public:
   Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
-        ServiceHandler function);
+        ServiceHandler function, bool isWorlds);
   ~Offer();
 
   /// Where requests wait for `dispatch`.
@@ -41,6 +41,8 @@ class Offer {
   const std::string requestType;
   const std::string replyType;
   const ServiceHandler handler;
+  /// Whether what it answers changes the queue's world; not if it belongs to a carrier.
+  const bool isOfWorld;
   MessagePointer request;
   MessagePointer reply;
   std::unique_ptr<Writer> writer;
@@ -54,6 +56,8 @@ class Offer {
     std::uint64_t call = 0;
     TimePoint came;
     std::vector<std::byte> message;
+    /// The queue of the world that made it in its own step or dispatch; null where it comes from outside.
+    const DispatchQueue* origin = nullptr;
   };
   /// Requests waiting for `dispatch`.
   std::deque<Request> waiting GUARDED_BY(requestsRole);
@@ -82,7 +86,7 @@ class ServiceServer {
 
   /// @throws std::invalid_argument for an invalid name, an unknown type, or a name already offered by the queue.
   Offer& add(DispatchQueue& queue, std::string_view service, std::string_view requestType, std::string_view replyType,
-             ServiceHandler handler) REQUIRES(setUpRole);
+             ServiceHandler handler, bool isOfWorld = true) REQUIRES(setUpRole);
   /// @param inDispatch Whether `dispatch` is running.
   void end(Offer& offer, bool inDispatch) REQUIRES(dispatchingRole, setUpRole);
 
@@ -97,8 +101,10 @@ class ServiceServer {
   std::uint64_t version() const { return version_.load(std::memory_order_relaxed); }
 
   /// Queues a request from this bus.
+  /// @param isOwn Whether the asker's world makes it in its own step or dispatch.
   /// @return False if there is no such service any more, or too many requests are waiting.
-  bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
+  bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message,
+            bool isOwn = false);
 
   std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
   /// Drops the waiting requests of this bus whose call number fulfils `isMeant`, and tells those who have posted them.
@@ -110,13 +116,18 @@ class ServiceServer {
     Offer::Request request;
   };
 
+  // input_gate.cc
+  void note(DispatchQueue& queue, const std::vector<Ready>& ready) REQUIRES(dispatchingRole);
+  void replace(DispatchQueue& queue, std::vector<Ready>& ready) REQUIRES(dispatchingRole);
+
   void open(Offer& offer) REQUIRES(setUpRole);
   void openNext(const std::string& service) REQUIRES(setUpRole);
   std::unique_ptr<Offer> close(Offer& offer) REQUIRES(setUpRole);
   Offer* find(const DispatchQueue& asker, const std::string& service) const REQUIRES(requestsRole);
   void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
   bool append(Offer& offer, Offer::Request request) REQUIRES(requestsRole);
-  void takeReady(Offer& offer, std::vector<Ready>& ready) REQUIRES(requestsRole);
+  /// @param ownOnly Leaves requests of other processes where they are.
+  void takeReady(Offer& offer, std::vector<Ready>& ready, bool ownOnly) REQUIRES(requestsRole);
   void handle(Offer& offer, const Offer::Request& request);
   ServiceAnswer ask(Offer& offer);
   void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
