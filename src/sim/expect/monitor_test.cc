@@ -202,6 +202,8 @@ TEST_F(MonitorTest, TellsWhyTheWindowDidNotBegin) {
 
 TEST_F(MonitorTest, RefusesWhatIsNotThere) {
   EXPECT_EQ(errorOf({{Kind::kPose, "bal"}, {below("z", 1)}}), "there is no model 'bal' (did you mean 'ball'?)");
+  EXPECT_EQ(errorOf({{Kind::kPose, "robot"}, {below("z", 1)}}),
+            "there is no model 'robot' (there is: ground, ball, arm)");
   EXPECT_EQ(errorOf({{Kind::kPose, "ball::lnk"}, {below("z", 1)}}),
             "there is no link 'ball::lnk' (did you mean 'ball::link'?)");
   EXPECT_EQ(errorOf({{Kind::kJoint, "arm::hing"}, {below("position", 1)}}),

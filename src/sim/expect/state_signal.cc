@@ -7,10 +7,14 @@
 #include <utility>
 
 #include "base/nearest_word.hh"
+#include "base/text.hh"
 
 namespace pongsim::sim {
 
 namespace {
+
+/// More names than this are no help.
+constexpr std::size_t kMostNamed = 12;
 
 /// Numbers of a kind of signal, in the order of its names.
 using Numbers = std::vector<double>;
@@ -18,7 +22,8 @@ using Numbers = std::vector<double>;
 std::string hintFrom(const std::string& name, const std::vector<std::string>& known) {
   const std::vector<std::string_view> words(known.begin(), known.end());
   const std::string hint = base::didYouMean(name, words);
-  return hint.empty() ? "" : " (" + hint + ")";
+  if (!hint.empty()) return " (" + hint + ")";
+  return known.empty() || known.size() > kMostNamed ? "" : " (there is: " + base::listed(words) + ")";
 }
 
 void addNames(const std::vector<Model>& models, std::vector<std::string>& modelNames, std::vector<std::string>& links,
@@ -208,9 +213,7 @@ Outcome<StateSignal> stateSignal(World world, const Event& event, const ContactP
     const auto found = std::find(fields.begin(), fields.end(), criterion.field);
     if (found == fields.end()) {
       const std::vector<std::string_view> words(fields.begin(), fields.end());
-      std::string all;
-      for (const std::string& field : fields) all += (all.empty() ? "" : ", ") + field;
-      return {{}, "it has no field '" + criterion.field + "' (there is: " + all + ")"};
+      return {{}, "it has no field '" + criterion.field + "' (there is: " + base::listed(words) + ")"};
     }
     if (criterion.text) return {{}, "field '" + criterion.field + "' is a number, and not '" + *criterion.text + "'"};
     places.push_back(static_cast<std::size_t>(found - fields.begin()));

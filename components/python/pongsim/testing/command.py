@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import os
 import pathlib
+import re
 import signal
 import sys
 import time
 from typing import Any, NoReturn, Sequence
 
-from ..sweep.errors import SweepError
+from ..sweep.errors import SweepError, nearest
 from ..sweep.runner import processors
 from . import places, report
 from .pool import Pool
@@ -32,6 +33,10 @@ for editors, its first line can be
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
+        unknown = re.match(r"unrecognized arguments: (--[^\s=]+)", message)
+        if unknown is not None:
+            known = [option for action in self._actions for option in action.option_strings]
+            message = f"there is no option {unknown.group(1)} ({nearest(unknown.group(1), known)})"
         print(f"{self.prog}: error: {message}", file=sys.stderr)
         print(f"Run with --help for more: {self.prog} --help", file=sys.stderr)
         sys.exit(_MISUSED)
@@ -59,7 +64,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--tap", action="store_true", help="print TAP, the Test Anything Protocol")
     parser.add_argument("--github", action="store_true", help="print annotations for GitHub, too")
     parser.add_argument("--quiet", action="store_true", help="print failures and the summary only")
-    parser.add_argument("--init", metavar="WORLD", help="write a first scenario for a world, beside it or to the -o FILE")
+    parser.add_argument("--init", metavar="WORLD", help="write a first scenario for a world, into this folder or to -o FILE")
     parser.add_argument("--schema", action="store_true", help="print the file of the JSON schema")
     return parser
 

@@ -59,7 +59,7 @@ def write_first(world: str, output: str | None) -> int:
     entries = _expectations(seen)
     if not entries:
         raise SweepError(f"{world} has no model and no topic to expect something of")
-    placed = world if name != world and not os.path.exists(world) else os.path.relpath(name, path.parent)
+    placed = world if name != world and not os.path.exists(world) else _from(path.parent, name)
     content: dict[str, Any] = {"world": placed, "duration": _DURATION, "expect": [entry for _, entry in entries]}
     if seen.command:
         content["publish"] = [{"topic": seen.command, "at": _COMMAND_AT, "message": {"linear": {"x": 0.5}}}]
@@ -68,6 +68,12 @@ def write_first(world: str, output: str | None) -> int:
     path.write_text(_text(path, placed, seen.command, entries), encoding="utf-8")
     print(f"{path}: {len(entries)} expectations; run it with: pongsim test {path}")
     return 0
+
+
+def _from(folder: pathlib.Path, file: str) -> str:
+    """Returns the way to a file: from the folder if it is near."""
+    way = os.path.relpath(file, folder)
+    return os.path.abspath(file) if way.startswith(os.path.join(*[os.pardir] * 3)) else way
 
 
 def _watch(name: str) -> _Seen:

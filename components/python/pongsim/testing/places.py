@@ -24,4 +24,4 @@ def program() -> str:
 
 def schema() -> pathlib.Path:
     """Returns the JSON schema of scenarios."""
-    return pathlib.Path(__file__).with_name("scenario.schema.json")
+    return pathlib.Path(__file__).resolve().with_name("scenario.schema.json")
