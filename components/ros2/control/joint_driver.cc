@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "pongsim/commands.hh"
@@ -22,6 +24,7 @@ void JointDriver::command(const std::vector<JointCommand>& commands) {
   assert(commands.size() == driven_.size());
   for (std::size_t i = 0; i < driven_.size(); ++i) {
     Driven& driven = driven_[i];
+    if (!driven.claimed.empty()) continue;
     // another interface takes over when its command changes, or with its first nonzero command
     const auto take = [&](const std::optional<double>& value, std::optional<double>& known, Interface interface) {
       if (!value) return;
@@ -33,6 +36,43 @@ void JointDriver::command(const std::vector<JointCommand>& commands) {
     take(commands[i].velocity, driven.velocity, Interface::kVelocity);
     take(commands[i].effort, driven.effort, Interface::kEffort);
   }
+}
+
+const std::optional<double>& JointDriver::Driven::value(Interface of) const {
+  return of == Interface::kPosition ? position : of == Interface::kVelocity ? velocity : effort;
+}
+
+void JointDriver::chooseInterface(Driven& driven) {
+  driven.interface = Interface::kNone;
+  for (const Interface each : {Interface::kEffort, Interface::kPosition, Interface::kVelocity}) {
+    if (driven.claimed.contains(each)) driven.interface = each;
+  }
+}
+
+void JointDriver::claim(std::size_t index, Interface interface) {
+  Driven& driven = driven_[index];
+  // those of topics end
+  if (driven.claimed.empty()) driven.position = driven.velocity = driven.effort = std::nullopt;
+  driven.claimed.insert(interface);
+  driven.value(interface).reset();
+  chooseInterface(driven);
+}
+
+void JointDriver::release(std::size_t index, Interface interface) {
+  Driven& driven = driven_[index];
+  driven.claimed.erase(interface);
+  driven.value(interface).reset();
+  chooseInterface(driven);
+}
+
+void JointDriver::set(std::size_t index, Interface interface, double value) {
+  std::optional<double>& known = driven_[index].value(interface);
+  const double largest = interface == Interface::kEffort ? kLargestForce : kLargestCommand;
+  known = std::isnan(value) ? std::nullopt : std::optional(std::clamp(value, -largest, largest));
+}
+
+double JointDriver::get(std::size_t index, Interface interface) const {
+  return driven_[index].value(interface).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 std::vector<std::string> JointDriver::begin() {
@@ -71,14 +111,14 @@ void JointDriver::drive(Time dt) {
     }
     switch (driven.interface) {
       case Interface::kPosition:
-        turn(driven.joint, approach * (*driven.position - driven.joint.position()));
+        turn(driven.joint, driven.position ? approach * (*driven.position - driven.joint.position()) : 0);
         break;
       case Interface::kVelocity:
-        turn(driven.joint, *driven.velocity);
+        turn(driven.joint, driven.velocity.value_or(0));
         break;
       case Interface::kEffort:
         driven.joint.clearVelocityTarget();
-        driven.joint.addForce(*driven.effort);
+        driven.joint.addForce(driven.effort.value_or(0));
         break;
       case Interface::kNone:
         if (settings_.holdsJoints && controlled_[i].isCommanded()) turn(driven.joint, 0);
@@ -89,7 +129,7 @@ void JointDriver::drive(Time dt) {
 
 void JointDriver::reset() {
   for (Driven& driven : driven_) {
-    driven.interface = Interface::kNone;
+    chooseInterface(driven);
     driven.position = driven.velocity = driven.effort = std::nullopt;
   }
 }
@@ -99,8 +139,8 @@ void JointDriver::Driven::transfer(StateArchive& archive) {
   archive(position);
   archive(velocity);
   archive(effort);
-  archive.check((interface != Interface::kPosition || position) && (interface != Interface::kVelocity || velocity) &&
-                (interface != Interface::kEffort || effort));
+  // who claims what is not in the state: it must be that of the controllers
+  archive.check(claimed.empty() || claimed.contains(interface));
 }
 
 void JointDriver::transfer(StateArchive& archive) {

@@ -132,5 +132,36 @@ TEST_F(JointDriverTest, RemembersCommandsInAState) {
   EXPECT_NEAR(velocity("first"), 0, 1e-6);
 }
 
+TEST_F(JointDriverTest, ObeysWhoClaimsAJoint) {
+  using Interface = JointDriver::Interface;
+  JointDriver driver = this->driver();
+  driver.command({{.velocity = 3.0}, {}});
+  step(driver, 10);
+  // held until the first value
+  driver.claim(0, Interface::kVelocity);
+  step(driver, 10);
+  EXPECT_NEAR(velocity("first"), 0, 1e-6);
+  EXPECT_TRUE(std::isnan(driver.get(0, Interface::kVelocity)));
+  driver.set(0, Interface::kVelocity, 1);
+  driver.command({{.velocity = 3.0}, {}});
+  step(driver, 10);
+  EXPECT_NEAR(velocity("first"), 1, 1e-6);
+  // velocity precedes
+  driver.claim(0, Interface::kPosition);
+  driver.set(0, Interface::kPosition, -1);
+  step(driver, 10);
+  EXPECT_NEAR(velocity("first"), 1, 1e-6);
+  driver.release(0, Interface::kVelocity);
+  step(driver, 2000);
+  EXPECT_NEAR(position("first"), -1, 1e-3);
+  driver.set(0, Interface::kPosition, NAN);
+  step(driver, 10);
+  EXPECT_NEAR(velocity("first"), 0, 1e-6);
+  driver.release(0, Interface::kPosition);
+  driver.command({{.velocity = 2.0}, {}});
+  step(driver, 10);
+  EXPECT_NEAR(velocity("first"), 2, 1e-6);
+}
+
 }  // namespace
 }  // namespace pongsim::ros2

@@ -1,40 +1,19 @@
 #include "ros2/node/node.hh"
 
-#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "ros2/node/names.hh"
-#include "ros2/types/rmw_dds_common.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
-
-using rmw_dds_common::kHumbleGid;
-using rmw_dds_common::kJazzyGid;
 
 Contract contractOf(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos) {
   const std::string name = node.resolve(topic);
   if (const auto error = rosNameError(name)) throw std::invalid_argument("topic '" + name + "' " + *error);
   node.use(type);
   return {topicOnWire(name), ddsTypeName(type.name), type.hash, qos};
-}
-
-/// @param isToHumble For the readers that announce no hash, and without one itself, from which readers see its layout.
-std::unique_ptr<Writer> discoveryWriter(Participant& participant, bool isToHumble) {
-  const TypeInfo type = typeInfo<rmw_dds_common::ParticipantEntitiesInfo<kJazzyGid>>();
-  const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), isToHumble ? "" : type.hash, kLatchedQos};
-  return participant.makeWriter(contract, {}, [&participant, isToHumble](const Guid& reader, const SampleId&) {
-    const auto found = participant.graph().find(reader);
-    return found && found->contract.typeHash.empty() == isToHumble;
-  });
-}
-
-template <std::size_t GidSize>
-rmw_dds_common::Gid<GidSize> gidOf(const Guid& guid) {
-  rmw_dds_common::Gid<GidSize> gid;
-  std::ranges::copy(guid.bytes, gid.data.begin());
-  return gid;
 }
 
 }  // namespace
@@ -56,14 +35,19 @@ RosSubscription::RosSubscription(RosNode& node, const std::string& topic, const 
 
 RosSubscription::~RosSubscription() { node_.removeReader(reader_->id()); }
 
-RosNode::RosNode(Participant& participant, const Options& options) : participant_(participant), options_(options) {
+RosNode::RosNode(Participant& participant, std::shared_ptr<NodeAnnouncement> announcement, const Options& options)
+    : participant_(participant), announcement_(std::move(announcement)), options_(options) {
   if (const auto error = rosNameError(fullName())) throw std::invalid_argument("node '" + fullName() + "' " + *error);
-  discoveryToHumble_ = discoveryWriter(participant, true);
-  discovery_ = discoveryWriter(participant, false);
   announce();
 }
 
-RosNode::~RosNode() = default;
+RosNode::RosNode(Participant& participant, const Options& options)
+    : RosNode(participant, std::make_shared<NodeAnnouncement>(participant), options) {}
+
+RosNode::RosNode(RosNode& beside, const Options& options)
+    : RosNode(beside.participant_, beside.announcement_, options) {}
+
+RosNode::~RosNode() { announcement_->remove(this); }
 
 std::string RosNode::resolve(std::string_view name) const {
   if (name.starts_with("~/")) return fullName() + std::string(name.substr(1));
@@ -118,22 +102,9 @@ RosNode::Quiet::~Quiet() {
   node_.announce();
 }
 
-template <std::size_t GidSize>
-void RosNode::announceBy(Writer& writer) {
-  rmw_dds_common::ParticipantEntitiesInfo<GidSize> info;
-  info.gid = gidOf<GidSize>(participant_.id());
-  auto& node = info.node_entities_info_seq.emplace_back();
-  node.node_namespace = options_.nameSpace;
-  node.node_name = options_.name;
-  for (const Guid& id : readers_) node.reader_gid_seq.push_back(gidOf<GidSize>(id));
-  for (const Guid& id : writers_) node.writer_gid_seq.push_back(gidOf<GidSize>(id));
-  writer.write(cdrSize(info), [&info](std::span<std::byte> place) { writeCdr(info, place); });
-}
-
 void RosNode::announce() {
   if (quiet_ > 0) return;
-  announceBy<kHumbleGid>(*discoveryToHumble_);
-  announceBy<kJazzyGid>(*discovery_);
+  announcement_->announce(this, {options_.nameSpace, options_.name, readers_, writers_});
 }
 
 }  // namespace pongsim::ros2

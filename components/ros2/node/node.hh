@@ -14,6 +14,7 @@
 #include "ros2/node/complaints.hh"
 #include "ros2/node/mailbox.hh"
 #include "ros2/node/names.hh"
+#include "ros2/node/node_announcement.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/type_info.hh"
 #include "ros2/wire/participant.hh"
@@ -76,6 +77,8 @@ class RosNode {
 
   /// @throws std::invalid_argument for invalid names; std::runtime_error if DDS fails.
   RosNode(Participant& participant, const Options& options);
+  /// A node of the same participant as another one, which need not outlive it. Throws likewise.
+  RosNode(RosNode& beside, const Options& options);
   ~RosNode();
   RosNode(const RosNode&) = delete;
   RosNode& operator=(const RosNode&) = delete;
@@ -146,11 +149,12 @@ class RosNode {
   };
 
  private:
-  template <std::size_t GidSize>
-  void announceBy(Writer& writer);
+  RosNode(Participant& participant, std::shared_ptr<NodeAnnouncement> announcement, const Options& options);
   void announce();
 
   Participant& participant_;
+  /// Of all nodes of the participant.
+  std::shared_ptr<NodeAnnouncement> announcement_;
   Options options_;
   Logger log_{"ros2"};
   Complaints complaints_;
@@ -161,9 +165,6 @@ class RosNode {
   int quiet_ = 0;
   std::vector<Guid> writers_;
   std::vector<Guid> readers_;
-  /// The layout of the announcement is another one up to Humble: each is sent to those that read it.
-  std::unique_ptr<Writer> discoveryToHumble_;
-  std::unique_ptr<Writer> discovery_;
 };
 
 }  // namespace pongsim::ros2

@@ -68,6 +68,20 @@ TEST_F(NodeWatchTest, ForgetsTheNodesOfAParticipantThatHasGone) {
   EXPECT_TRUE(becomesTrue([&] { return infoOf("/guest").name.empty(); }));
 }
 
+TEST_F(NodeWatchTest, SeesSeveralNodesOfAParticipant) {
+  RosNode first(other_, {.name = "first"});
+  {
+    RosNode second(first, {.name = "second", .nameSpace = "/robot"});
+    const auto publisher = second.advertise<std_msgs::String>("~/chatter");
+    ASSERT_TRUE(becomesTrue([&] { return !infoOf("/robot/second").publishes.empty(); }));
+    EXPECT_EQ(infoOf("/robot/second").publishes[0].name, "/robot/second/chatter");
+    EXPECT_EQ(infoOf("/first").name, "first");
+    EXPECT_TRUE(infoOf("/first").publishes.empty());
+  }
+  EXPECT_TRUE(becomesTrue([&] { return infoOf("/robot/second").name.empty(); }));
+  EXPECT_EQ(infoOf("/first").name, "first");
+}
+
 TEST_F(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {
   RosNode node(other_, {.name = "talker"});
   // on a busy machine nothing may arrive for that long before discovery

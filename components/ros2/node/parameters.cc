@@ -164,17 +164,20 @@ std::vector<SetParametersResult> Parameters::set(const std::vector<Parameter>& r
 SetParametersResult Parameters::setAtomically(const std::vector<Parameter>& requested) {
   const bool areAllThere =
       std::ranges::all_of(requested, [this](const Parameter& each) { return declared_.contains(each.name); });
-  if (!areAllThere) return {false, "One or more parameters were not declared before setting"};
+  if (!areAllThere && !allowsUndeclared_) return {false, "One or more parameters were not declared before setting"};
   return setAll(requested);
 }
 
 /// @return Why it can't have that value, in rclcpp's words. Its setter may refuse it as well.
 std::optional<std::string> Parameters::refusal(const Parameter& requested) const {
   const auto found = declared_.find(requested.name);
-  if (found == declared_.end()) return "parameter '" + requested.name + "' cannot be set because it was not declared";
+  if (found == declared_.end()) {
+    if (allowsUndeclared_ && !requested.name.empty()) return std::nullopt;
+    return "parameter '" + requested.name + "' cannot be set because it was not declared";
+  }
   const Descriptor& descriptor = found->second.descriptor;
   if (descriptor.read_only) return "parameter '" + requested.name + "' cannot be set because it is read-only";
-  if (requested.value.type != descriptor.type) {
+  if (requested.value.type != descriptor.type && !descriptor.dynamic_typing) {
     return "Wrong parameter type, parameter {" + requested.name + "} is of type {" + typeName(descriptor.type) +
            "}, setting it to {" + typeName(requested.value.type) + "} is not allowed.";
   }
@@ -186,7 +189,17 @@ SetParametersResult Parameters::setAll(const std::vector<Parameter>& requested) 
     if (const auto error = refusal(each)) return {false, *error};
   }
   std::vector<std::pair<Declared*, Value>> before;
+  rcl_interfaces::ParameterEvent event;
   for (const Parameter& each : requested) {
+    if (!declared_.contains(each.name)) {
+      Descriptor descriptor;
+      descriptor.name = each.name;
+      descriptor.dynamic_typing = true;
+      declared_[each.name] = {std::move(descriptor), {}, [](const Value&) { return std::nullopt; }};
+      event.new_parameters.push_back(each);
+    } else {
+      event.changed_parameters.push_back(each);
+    }
     Declared& declared = declared_[each.name];
     if (const auto error = declared.setter(each.value)) {
       for (auto done = before.rbegin(); done != before.rend(); ++done) {
@@ -196,9 +209,8 @@ SetParametersResult Parameters::setAll(const std::vector<Parameter>& requested) 
       return {false, *error};
     }
     before.emplace_back(&declared, std::exchange(declared.value, each.value));
+    declared.descriptor.type = each.value.type;
   }
-  rcl_interfaces::ParameterEvent event;
-  event.changed_parameters = requested;
   publish(std::move(event));
   return {true, {}};
 }

@@ -41,6 +41,10 @@ class Parameters {
   /// @throws std::invalid_argument for an empty or existing name, and for a value without a type.
   void declare(Descriptor descriptor, const Value& value, Setter setter = {});
 
+  /// From now on, setting a parameter that does not exist adds it, as for nodes that allow undeclared parameters. Those
+  /// may change their type.
+  void allowUndeclared() { allowsUndeclared_ = true; }
+
   /// Publishes a value that changed by other means than these services. Unchanged values are not published.
   /// @throws std::invalid_argument if there is no such parameter, or it has another type.
   void update(const std::string& name, const Value& value);
@@ -75,6 +79,7 @@ class Parameters {
   RosNode& node_;
   std::function<builtin_interfaces::Time()> now_;
   std::map<std::string, Declared> declared_;
+  bool allowsUndeclared_ = false;
   std::unique_ptr<RosPublisher> events_;
   std::vector<std::unique_ptr<RosServer>> servers_;
 };

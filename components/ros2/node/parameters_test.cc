@@ -235,5 +235,16 @@ TEST_F(ParametersTest, EventsTellOfEachChange) {
   EXPECT_EQ(added.new_parameters, (std::vector<Parameter>{{"late", parameterOf(true)}}));
 }
 
+TEST_F(ParametersTest, AddsUndeclaredOnesWhereThatIsAllowed) {
+  parameters_.allowUndeclared();
+  EXPECT_TRUE(parameters_.set({{"drive.type", parameterOf(std::string("a"))}})[0].successful);
+  EXPECT_EQ(parameters_.get({"drive.type"})[0].string_value, "a");
+  // of any type, unlike those that are declared
+  EXPECT_TRUE(parameters_.setAtomically({{"drive.type", parameterOf(2.0)}, {"other", parameterOf(true)}}).successful);
+  EXPECT_EQ(parameters_.get({"drive.type"})[0].double_value, 2);
+  EXPECT_FALSE(parameters_.set({{"factor", parameterOf(true)}})[0].successful);
+  EXPECT_FALSE(parameters_.set({{"", parameterOf(true)}})[0].successful);
+}
+
 }  // namespace
 }  // namespace pongsim::ros2

@@ -1,6 +1,7 @@
 #include "ros2/robot/robots.hh"
 
 #include <algorithm>
+#include <utility>
 
 namespace pongsim::ros2 {
 
@@ -37,9 +38,14 @@ std::string Robots::nameOf(const Robot& robot, const char* topic) const {
 }
 
 bool Robots::isRuled(const std::string& rosName) const {
-  return std::ranges::any_of(settings_.rules, [&rosName](const TopicRule& rule) {
-    return rule.pair != nullptr && rule.ros == rosName && rule.direction != Direction::kFromRos;
-  });
+  return left_.contains(rosName) || std::ranges::any_of(settings_.rules, [&rosName](const TopicRule& rule) {
+           return rule.pair != nullptr && rule.ros == rosName && rule.direction != Direction::kFromRos;
+         });
+}
+
+void Robots::leave(std::set<std::string> topics) {
+  left_ = std::move(topics);
+  hasChanged_ = mustRename_ = true;
 }
 
 void Robots::preUpdate(Time now) {
@@ -66,9 +72,11 @@ void Robots::lookForOthers(Time now) {
 
 void Robots::follow() {
   hasChanged_ = false;
-  if (!list_.update()) return;
+  const bool areOthers = list_.update();
+  if (!areOthers && !mustRename_) return;
+  mustRename_ = false;
   const RosNode::Quiet quiet(ros_);
-  if (transforms_) transforms_->follow(list_.robots(), list_.fixtures());
+  if (areOthers && transforms_) transforms_->follow(list_.robots(), list_.fixtures());
   nameTopics();
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "pongsim/parameters.hh"
@@ -33,6 +34,8 @@ class Robots {
 
   /// Call when models have been added or removed.
   void worldChanged() { hasChanged_ = true; }
+  /// Leaves these ROS topics to others of this process.
+  void leave(std::set<std::string> topics);
   void preUpdate(Time now);
   void postUpdate(Time now);
   /// Call when time starts again.
@@ -50,6 +53,8 @@ class Robots {
   Settings settings_;
   RobotSettings robotSettings_;
   bool hasChanged_ = true;
+  bool mustRename_ = false;
+  std::set<std::string> left_;
   /// Times to look for other nodes that publish the same.
   Schedule looks_{std::chrono::milliseconds(200)};
   std::uint64_t knownGraph_ = 0;

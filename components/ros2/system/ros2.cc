@@ -1,6 +1,8 @@
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
@@ -10,6 +12,7 @@
 #include "ros2/config/elements.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
+#include "ros2/controllers/ros_home.hh"
 #include "ros2/node/node.hh"
 #include "ros2/node/rosout.hh"
 #include "ros2/node/type_descriptions.hh"
@@ -21,7 +24,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-class Ros2 final : public System {
+class Ros2 final : public System, public RosHost {
  public:
   void declare(Declaration& declaration) override {
     declaration.is("Makes the simulation a ROS 2 node, which bridges its topics under their own names.",
@@ -41,12 +44,13 @@ class Ros2 final : public System {
     const std::optional<Settings> settings = elements_.read(context.sdf, context.diagnostics);
     // the run does not start
     if (!settings) return;
-    settings_ = *settings;
+    home_->settings = settings_ = *settings;
     if (!settings_.bridgesAll) robotSettings_.leaveOutUnnamed(context.sdf);
     warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
-    participant_.emplace(settings_.participant);
-    node_.emplace(*participant_,
-                  RosNode::Options{settings_.nodeName, settings_.nameSpace, shipsOlderInterfaces(settings_.distro)});
+    home_->tellsTransforms = robotSettings_.tellsTransforms;
+    home_->participant.emplace(settings_.participant);
+    node_ = &home_->node.emplace(*home_->participant, RosNode::Options{settings_.nodeName, settings_.nameSpace,
+                                                                       shipsOlderInterfaces(settings_.distro)});
     node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain));
     rosout_.emplace(*node_);
     typeDescriptions_ = offerTypeDescriptions(*node_);
@@ -57,7 +61,10 @@ class Ros2 final : public System {
     topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
+  std::shared_ptr<RosHome> home() const override { return node_ == nullptr ? nullptr : home_; }
+
   void preUpdate(const StepInfo& info) override {
+    if (std::exchange(knownReplaced_, home_->version()) != home_->version()) robots_->leave(home_->replaced());
     parameters_->preUpdate(info.time);
     services_->preUpdate(info);
     node_->mailbox().dispatch();
@@ -86,8 +93,9 @@ class Ros2 final : public System {
   std::string servicePrefix_ = "~";
   Settings settings_;
   // each uses the one before it
-  std::optional<Participant> participant_;
-  std::optional<RosNode> node_;
+  std::shared_ptr<RosHome> home_ = std::make_shared<RosHome>();
+  RosNode* node_ = nullptr;
+  std::uint64_t knownReplaced_ = 0;
   std::optional<Rosout> rosout_;
   std::unique_ptr<RosServer> typeDescriptions_;
   std::optional<Bridge> bridge_;

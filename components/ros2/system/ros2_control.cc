@@ -4,9 +4,11 @@
 #include <cmath>
 #include <filesystem>
 #include <list>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pongsim/commands.hh"
@@ -18,6 +20,8 @@
 #include "ros2/control/controller_file.hh"
 #include "ros2/control/joint_commands.hh"
 #include "ros2/control/joint_driver.hh"
+#include "ros2/controllers/robot_controllers.hh"
+#include "ros2/controllers/ros_home.hh"
 #include "ros2/robot/joint_effort.hh"
 
 namespace pongsim::ros2 {
@@ -26,18 +30,23 @@ namespace {
 
 constexpr const char* kModelType = "ignition.msgs.Model";
 
-/// Replaces the plugin of gz_ros2_control, which runs the controllers inside the simulator: here they run outside and
-/// command the joints through topics. It uses ignition.msgs, so that only the bridge depends on ROS.
+/// Replaces the plugin of gz_ros2_control. Where the simulation is a ROS node and <parameters> names a file, the
+/// controllers run inside, as there. Otherwise, and where their classes are not known, the joints are commanded through
+/// topics by controllers that run outside.
 class Ros2Control final : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is(
-        "Offers the joints that a robot's <ros2_control> lists on topics, for controllers that run outside of the "
-        "simulation.",
+        "Runs the controllers of a robot's <ros2_control>, or offers its joints on topics, for controllers that run "
+        "outside of the simulation.",
         Declaration::Place::kModel);
-    declaration.parameter(
-        "parameters", &files_, "",
-        "parameter file of the controller manager; only update rate, position gain and hold_joints are used");
+    declaration.parameter("parameters", &files_, "", "parameter file of the controller manager and its controllers");
+    declaration
+        .parameter("controllers", &place_, "",
+                   "where the controllers run: inside the simulation, outside of it and on topics, or inside if "
+                   "<parameters> and ROS are there and the hardware isn't topic_based_ros2_control's (auto)")
+        .oneOf({"auto", "inside", "outside"});
+    declaration.parameter("controller_manager_name", &managerName_, "", "name of the controller manager's node");
     declaration.element("ros2_control", "joints with their interfaces, for a model that is not from a URDF");
     declaration.parameter("joint_commands_topic", &commandsTopic_, "", "command topic")
         .otherwise("/robot_joint_commands");
@@ -52,10 +61,11 @@ class Ros2Control final : public System {
         .otherwise("what <parameters> says, else 0.1");
     declaration.parameter("hold_joints", &holdsJoints_, "",
                           "whether joints stay where they are before the first command");
-    declaration.element("ros", "its <namespace> is the prefix of topics that are not named here");
-    for (const char* name :
-         {"controller_manager_name", "controller_manager_prefix_node_name", "robot_param", "robot_param_node"}) {
-      declaration.element(name, "for the controller manager, which runs elsewhere; no effect");
+    declaration.element("ros",
+                        "its <namespace> is that of the controllers, and the prefix of topics that are not named here; "
+                        "each <remapping>, \"FROM:=TO\", gives a topic of the controllers another name");
+    for (const char* name : {"controller_manager_prefix_node_name", "robot_param", "robot_param_node"}) {
+      declaration.element(name, "no effect: the controllers know the robot");
     }
     declaration.subscribes("<joint_commands_topic>", kModelType,
                            "positions, velocities and forces by joint; not a number where nothing is commanded");
@@ -75,17 +85,20 @@ class Ros2Control final : public System {
       if (joints.empty()) continue;
       Group& group = groups_.emplace_back(JointDriver(model, std::move(joints), settings));
       nameTopics(block, group, sdf);
-      open(group);
     }
     if (groups_.empty()) {
       refuse(sdf, "there is no <ros2_control> that lists joints of model '" + model_ + "'",
              urdf != nullptr ? "put it in the <robot> of the URDF" : "for an SDF model, put it in this <plugin>");
     }
     schedule_ = Schedule(periodOf(settings.updateRate));
+    runInside(context, hardwareComponents(holder), settings.updateRate);
+    if (!offersTopics_) return;
+    for (Group& group : groups_) open(group);
   }
 
   void preUpdate(const StepInfo& info) override {
     if (!hasSpoken_) speak();
+    if (inside_) inside_->preUpdate();
     if (info.paused) return;
     for (Group& group : groups_) {
       if (!hasBegun_) {
@@ -97,7 +110,9 @@ class Ros2Control final : public System {
   }
 
   void postUpdate(const StepInfo& info) override {
-    if (info.paused || !schedule_.isDue(info.time)) return;
+    if (info.paused) return;
+    if (inside_) inside_->postUpdate(info.time);
+    if (!offersTopics_ || !schedule_.isDue(info.time)) return;
     for (Group& group : groups_) {
       if (group.states.hasSubscribers()) publish(group, info.time);
     }
@@ -107,12 +122,14 @@ class Ros2Control final : public System {
     hasBegun_ = false;
     schedule_.reset();
     for (Group& group : groups_) group.driver.reset();
+    if (inside_) inside_->reset();
   }
 
   void transfer(StateArchive& archive) override {
     archive(hasBegun_);
     archive(schedule_);
     for (Group& group : groups_) archive(group.driver);
+    if (inside_) archive(*inside_);
   }
 
  private:
@@ -128,6 +145,59 @@ class Ros2Control final : public System {
     Subscription commands;
   };
 
+  /// Relative paths begin at the file with the element.
+  static std::filesystem::path pathOf(const Element& element) {
+    const std::filesystem::path file = element.text;
+    if (file.is_absolute() || element.position.file == nullptr) return file;
+    return std::filesystem::path(*element.position.file).parent_path() / file;
+  }
+
+  /// Starts the controller manager, unless the controllers run outside.
+  void runInside(const SystemContext& context, std::vector<HardwareComponent> components, double rate) {
+    std::shared_ptr<RosHome> home;
+    for (System* other : context.before) {
+      if (const auto* host = dynamic_cast<RosHost*>(other)) home = host->home();
+    }
+    const bool isElsewhere = std::ranges::any_of(components, [](const HardwareComponent& component) {
+      return component.plugin.starts_with("topic_based_ros2_control/");
+    });
+    RobotControllers::Options options{managerName_, spaceOf(context.sdf), {}, {}, rate};
+    bool hasFile = false;
+    // what is wrong with a file has been said
+    for (const Element* element : context.sdf.childrenNamed("parameters")) {
+      if (!element->text.empty() && options.files.read(pathOf(*element)).empty()) hasFile = true;
+    }
+    if (!home || place_ == "outside" || (place_ == "auto" && (isElsewhere || !hasFile))) return;
+    if (options.nameSpace.empty()) options.nameSpace = "/";
+    if (const Element* ros = context.sdf.child("ros")) {
+      for (const Element* remap : ros->childrenNamed("remapping")) {
+        if (options.remaps.add(remap->text)) continue;
+        context.diagnostics.warning(remap->position, "'" + remap->text + "' is not a remapping", "write FROM:=TO");
+      }
+    }
+    std::vector<JointDriver*> drivers;
+    for (Group& group : groups_) drivers.push_back(&group.driver);
+    inside_.emplace(std::move(home), context, drivers, std::move(components), log_, std::move(options));
+    std::string unknown;
+    for (const auto& [name, type] : inside_->manager().unknownTypes()) {
+      unknown += (unknown.empty() ? "" : ", ") + ("'" + name + "' (" + type + ")");
+    }
+    offersTopics_ = !unknown.empty();
+    if (!offersTopics_) return;
+    context.diagnostics.warning(context.sdf.position,
+                                "controllers of '" + model_ + "' can't run inside the simulation: " + unknown,
+                                "run them outside, with the topics of its joints");
+  }
+
+  /// @return "/robot" for the namespace "robot", empty without one.
+  static std::string spaceOf(const Element& sdf) {
+    std::string space;
+    if (const Element* ros = sdf.child("ros")) space = ros->get<std::string>("namespace", "");
+    if (!space.empty() && !space.starts_with('/')) space.insert(0, "/");
+    while (space.ends_with('/')) space.pop_back();
+    return space;
+  }
+
   JointDriver::Settings readSettings(const SystemContext& context) {
     JointDriver::Settings settings;
     for (const Element* element : context.sdf.childrenNamed("parameters")) {
@@ -137,10 +207,7 @@ class Ros2Control final : public System {
         context.diagnostics.warning(element->position, "<parameters> is empty", kAssumed);
         continue;
       }
-      std::filesystem::path file = element->text;
-      if (file.is_relative() && element->position.file != nullptr) {
-        file = std::filesystem::path(*element->position.file).parent_path() / file;
-      }
+      const std::filesystem::path file = pathOf(*element);
       const ControllerFile read = readControllerFile(file);
       if (!read.error.empty()) {
         context.diagnostics.warning(element->position, "parameters '" + element->text + "': " + read.error, kAssumed);
@@ -189,10 +256,7 @@ class Ros2Control final : public System {
     const auto firstOf = [](const std::string& first, const std::string& second, const std::string& third) {
       return !first.empty() ? first : !second.empty() ? second : third;
     };
-    std::string space;
-    if (const Element* ros = sdf.child("ros")) space = ros->get<std::string>("namespace", "");
-    if (!space.empty() && !space.starts_with('/')) space.insert(0, "/");
-    while (space.ends_with('/')) space.pop_back();
+    std::string space = spaceOf(sdf);
     // of several robots without names, all but the first have topics of their own
     const std::vector<OwnTopic> topics = node_->ownTopics();
     const auto isTaken = [&topics](const std::string& name) {
@@ -249,6 +313,11 @@ class Ros2Control final : public System {
 
   void speak() {
     hasSpoken_ = true;
+    if (!offersTopics_) {
+      const std::string name = inside_->manager().nodeName();
+      log_.info("the controllers of '" + model_ + "' run inside the simulation; spawners reach them at '" + name + "'");
+      return;
+    }
     const std::vector<OwnTopic> topics = node_->ownTopics();
     for (const Group& group : groups_) {
       std::string names;
@@ -287,10 +356,14 @@ class Ros2Control final : public System {
   std::optional<double> updateRate_;
   std::optional<double> positionGain_;
   bool holdsJoints_ = true;
+  std::string place_ = "auto";
+  std::string managerName_ = "controller_manager";
   Logger log_{"ros2_control"};
   std::string model_;
   std::optional<Node> node_;
   std::list<Group> groups_;
+  std::optional<RobotControllers> inside_;
+  bool offersTopics_ = true;
   /// Unknown joints, each reported once.
   std::set<std::string> warned_;
   bool isRefusing_ = false;

@@ -1,8 +1,13 @@
 #pragma once
 
+#include "ros2/types/ackermann_msgs.hh"
 #include "ros2/types/action_msgs.hh"
 #include "ros2/types/actuator_msgs.hh"
+#include "ros2/types/control_actions.hh"
+#include "ros2/types/control_msgs.hh"
+#include "ros2/types/controller_manager_services.hh"
 #include "ros2/types/gps_msgs.hh"
+#include "ros2/types/lifecycle_msgs.hh"
 #include "ros2/types/nav_msgs.hh"
 #include "ros2/types/ros_gz_interfaces.hh"
 #include "ros2/types/rosgraph_msgs.hh"
@@ -10,6 +15,7 @@
 #include "ros2/types/simulation_actions.hh"
 #include "ros2/types/simulation_entity_services.hh"
 #include "ros2/types/simulation_world_services.hh"
+#include "ros2/types/std_srvs.hh"
 #include "ros2/types/tf2_msgs.hh"
 #include "ros2/types/trajectory_msgs.hh"
 #include "ros2/types/vision_msgs.hh"
@@ -53,7 +59,15 @@ using Messages = TypeList<
     simulation_interfaces::NamedPose, simulation_interfaces::Resource, simulation_interfaces::Result,
     simulation_interfaces::SimulationState, simulation_interfaces::SimulatorFeatures,
     simulation_interfaces::SpawnEntity, simulation_interfaces::SpawnResult, simulation_interfaces::Spawnable,
-    simulation_interfaces::WorldResource>;
+    simulation_interfaces::WorldResource, std_msgs::MultiArrayDimension, std_msgs::MultiArrayLayout,
+    std_msgs::Float64MultiArray, trajectory_msgs::MultiDOFJointTrajectoryPoint,
+    trajectory_msgs::MultiDOFJointTrajectory, ackermann_msgs::AckermannDrive, lifecycle_msgs::State,
+    control_msgs::InterfaceValue, control_msgs::DynamicJointState, control_msgs::SteeringControllerStatus,
+    control_msgs::MecanumDriveControllerState, control_msgs::JointTolerance, control_msgs::JointComponentTolerance,
+    control_msgs::GripperCommand, control_msgs::JointTrajectoryControllerState,
+    controller_manager_msgs::ChainConnection, controller_manager_msgs::ControllerState,
+    controller_manager_msgs::HardwareInterface, controller_manager_msgs::HardwareComponentState,
+    controller_manager_msgs::NamedLifecycleState, controller_manager_msgs::ControllerManagerActivity>;
 
 /// All services.
 using Services =
@@ -72,10 +86,17 @@ using Services =
              simulation_interfaces::srv::GetCurrentWorld, simulation_interfaces::srv::GetSimulationState,
              simulation_interfaces::srv::GetSimulatorFeatures, simulation_interfaces::srv::LoadWorld,
              simulation_interfaces::srv::ResetSimulation, simulation_interfaces::srv::SetSimulationState,
-             simulation_interfaces::srv::StepSimulation, simulation_interfaces::srv::UnloadWorld>;
+             simulation_interfaces::srv::StepSimulation, simulation_interfaces::srv::UnloadWorld,
+             controller_manager_msgs::srv::CleanupController, controller_manager_msgs::srv::ConfigureController,
+             controller_manager_msgs::srv::ListControllerTypes, controller_manager_msgs::srv::ListControllers,
+             controller_manager_msgs::srv::ListHardwareComponents, controller_manager_msgs::srv::ListHardwareInterfaces,
+             controller_manager_msgs::srv::LoadController, controller_manager_msgs::srv::ReloadControllerLibraries,
+             controller_manager_msgs::srv::SetHardwareComponentState, controller_manager_msgs::srv::SwitchController,
+             controller_manager_msgs::srv::UnloadController, std_srvs::srv::Empty>;
 
 /// All actions.
-using Actions = TypeList<simulation_interfaces::action::SimulateSteps>;
+using Actions = TypeList<simulation_interfaces::action::SimulateSteps, control_msgs::action::FollowJointTrajectory,
+                         control_msgs::action::GripperCommand, control_msgs::action::ParallelGripperCommand>;
 
 /// Calls `each.template operator()<Type>()` with all messages, with the requests and responses of all services, and
 /// with the wire types of all actions.

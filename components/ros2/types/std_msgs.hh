@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ros2/types/builtin_interfaces.hh"
 
@@ -79,6 +80,41 @@ struct String {
   std::string data;
   static void visit(auto& self, auto&& field) { field("data", self.data); }
   bool operator==(const String&) const = default;
+};
+
+struct MultiArrayDimension {
+  static constexpr const char* kName = "std_msgs/msg/MultiArrayDimension";
+  std::string label;
+  std::uint32_t size = 0;
+  std::uint32_t stride = 0;
+  static void visit(auto& self, auto&& field) {
+    field("label", self.label);
+    field("size", self.size);
+    field("stride", self.stride);
+  }
+  bool operator==(const MultiArrayDimension&) const = default;
+};
+
+struct MultiArrayLayout {
+  static constexpr const char* kName = "std_msgs/msg/MultiArrayLayout";
+  std::vector<MultiArrayDimension> dim;
+  std::uint32_t data_offset = 0;
+  static void visit(auto& self, auto&& field) {
+    field("dim", self.dim);
+    field("data_offset", self.data_offset);
+  }
+  bool operator==(const MultiArrayLayout&) const = default;
+};
+
+struct Float64MultiArray {
+  static constexpr const char* kName = "std_msgs/msg/Float64MultiArray";
+  MultiArrayLayout layout;
+  std::vector<double> data;
+  static void visit(auto& self, auto&& field) {
+    field("layout", self.layout);
+    field("data", self.data);
+  }
+  bool operator==(const Float64MultiArray&) const = default;
 };
 
 }  // namespace pongsim::ros2::std_msgs

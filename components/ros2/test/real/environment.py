@@ -38,13 +38,17 @@ def place(distro):
 
 def install(distro, venv):
     subprocess.run([sys.executable, "-m", "venv", venv], check=True)
-    # empy is published as source alone; what builds it is among the packages
-    pip = [venv / "bin/pip", "install", "--quiet", "--disable-pip-version-check", "--require-hashes", "--no-deps",
-           "--only-binary", ":all:", "--no-binary", "empy", "--no-build-isolation", "--requirement", requirements(distro)]
-    result = subprocess.run(pip, capture_output=True, text=True)
-    if result.returncode != 0:
-        reason = result.stderr.strip()
-        raise (Unreachable if UNREACHABLE.search(reason) else RuntimeError)(reason[-2000:])
+    # empy is published as source alone; what builds it is among the packages and comes first
+    text = requirements(distro).read_text()
+    first = venv / "setuptools.txt"
+    first.write_text(re.search(r"^setuptools==(?:.*\\\n)*.*\n", text, re.M).group())
+    for file in (first, requirements(distro)):
+        pip = [venv / "bin/pip", "install", "--quiet", "--disable-pip-version-check", "--require-hashes", "--no-deps",
+               "--only-binary", ":all:", "--no-binary", "empy", "--no-build-isolation", "--requirement", file]
+        result = subprocess.run(pip, capture_output=True, text=True)
+        if result.returncode != 0:
+            reason = result.stderr.strip()
+            raise (Unreachable if UNREACHABLE.search(reason) else RuntimeError)(reason[-2000:])
 
 
 def move(venv):
