@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,8 @@ struct Actor {
   bool startsByItself = true;
   std::vector<Trajectory> trajectories;
   std::vector<Plugin> plugins;
+  /// As of a model.
+  std::optional<std::uint8_t> label = {};
   bool operator==(const Actor&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "description/geometry.hh"
+#include "description/heat.hh"
 #include "description/light.hh"
 #include "description/material.hh"
 #include "description/plugin.hh"
@@ -91,6 +92,10 @@ struct Visual {
   double laserRetro = 0;
   /// `<meta><layer>`
   long long layer = 0;
+  /// For segmentation and bounding-box cameras, from the system `label` in it; unset: that of its model or actor.
+  std::optional<std::uint8_t> label;
+  /// Unset: as warm as the air around it.
+  std::optional<Heat> heat;
   std::vector<Plugin> plugins;
   bool operator==(const Visual&) const = default;
 };

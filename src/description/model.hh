@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,8 @@ struct Model {
   std::vector<Frame> frames;
   std::vector<Model> models;
   std::vector<Plugin> plugins;
+  /// Of its visuals and nested models that have none of their own, from the system `label` in it.
+  std::optional<std::uint8_t> label = {};
   Urdf urdf;
   bool operator==(const Model&) const = default;
 };

@@ -39,10 +39,45 @@ CoreSystem userCommands() {
   return system;
 }
 
+CoreSystem label() {
+  CoreSystem system{"label", "ignition::gazebo::systems::Label", {}, "a <model>, a <visual> or an <actor>"};
+  system.declaration.is(
+      "Labels what it is in for segmentation and bounding-box cameras. In a model it labels all visuals, also those of "
+      "nested models, that have no label of their own.",
+      Declaration::Place::kAnywhere);
+  system.declaration
+      .element("label",
+               "whole number from 0 to 255; 0 is the background for segmentation cameras, 255 for bounding-box cameras")
+      .required();
+  return system;
+}
+
+CoreSystem thermal() {
+  CoreSystem system{"thermal", "ignition::gazebo::systems::Thermal", {}, "a <visual>"};
+  Declaration& declaration = system.declaration;
+  declaration.is("Gives a visual a temperature of its own for thermal cameras.", Declaration::Place::kAnywhere);
+  declaration.element("temperature", "the same everywhere [K]");
+  declaration.element("heat_signature", "instead of that, an image: black is the coldest, full red the hottest");
+  declaration.element("min_temp", "temperature of black [K]").otherwise("that of the atmosphere");
+  declaration.element("max_temp", "temperature of full red [K]").otherwise("that of the atmosphere");
+  return system;
+}
+
+CoreSystem thermalSensor() {
+  CoreSystem system{
+      "thermal-sensor", "ignition::gazebo::systems::ThermalSensor", {}, "the <sensor> of a thermal camera"};
+  Declaration& declaration = system.declaration;
+  declaration.is("Sets how a thermal camera shows temperatures.", Declaration::Place::kAnywhere);
+  declaration.element("resolution", "temperature per unit of the image [K]").otherwise("0.01 for L16, 3 for L8");
+  declaration.element("min_temp", "what is colder is shown like this [K]").otherwise("0");
+  declaration.element("max_temp", "what is hotter is shown like this [K]").otherwise("none");
+  return system;
+}
+
 }  // namespace
 
 const std::vector<CoreSystem>& coreSystems() {
-  static const std::vector<CoreSystem> systems{physics(), userCommands()};
+  static const std::vector<CoreSystem> systems{physics(), userCommands(), label(), thermal(), thermalSensor()};
   return systems;
 }
 

@@ -8,12 +8,15 @@
 
 namespace pongsim::plugin {
 
-/// A system of Fortress that is built into pongsim and always runs; it has no library.
+/// A system of Fortress that is built into pongsim; it has no library.
 struct CoreSystem {
   /// As returned by `systemName`: "user-commands".
   std::string name;
   std::string className;
   Declaration declaration;
+  /// Of a system that only gives data to what it is in, which was read with the file: where it belongs, such as "a
+  /// <visual>". Empty: it is in the world, and works there.
+  std::string holders = {};
 };
 
 const std::vector<CoreSystem>& coreSystems();

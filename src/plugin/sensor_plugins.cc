@@ -19,6 +19,9 @@ constexpr auto kRows = std::to_array<Row>({
     {"air_pressure", "air-pressure", "AirPressure"},
     {"air_speed", "air-speed", "AirSpeed", true},
     {"altimeter", "altimeter", "Altimeter"},
+    {"boundingbox", kSensors, kSensorsClass},
+    {"boundingbox_camera", kSensors, kSensorsClass},
+    {"boundingbox_camera_3d", kSensors, kSensorsClass},
     {"camera", kSensors, kSensorsClass},
     {"contact", "contact", "Contact"},
     {"depth", kSensors, kSensorsClass},
@@ -37,6 +40,12 @@ constexpr auto kRows = std::to_array<Row>({
     {"ray", kSensors, kSensorsClass},
     {"rgbd", kSensors, kSensorsClass},
     {"rgbd_camera", kSensors, kSensorsClass},
+    {"segmentation", kSensors, kSensorsClass},
+    {"segmentation_camera", kSensors, kSensorsClass},
+    {"thermal", kSensors, kSensorsClass},
+    {"thermal_camera", kSensors, kSensorsClass},
+    {"wide_angle_camera", kSensors, kSensorsClass},
+    {"wideanglecamera", kSensors, kSensorsClass},
 });
 
 description::Plugin pluginNamed(const std::string& prefix, std::string_view system, const std::string& scope,

@@ -12,6 +12,7 @@
 
 #include "base/is_below.hh"
 #include "base/prefetch.hh"
+#include "plugin/core_systems.hh"
 #include "plugin/sensor_plugins.hh"
 #include "plugin/system_name.hh"
 #include "sim/plugin_elements.hh"
@@ -156,6 +157,13 @@ bool SystemSet::isFromServer(const std::shared_ptr<const std::string>& file) {
 
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
                     Diagnostics& diagnostics) {
+  if (const plugin::CoreSystem* core = plugin::coreSystem(plugin.filename); core != nullptr && !core->holders.empty()) {
+    const char* here = holder.actor != nullptr ? "<actor>" : holder.model != world::kNoSlot ? "<model>" : "<world>";
+    if (core->holders.find(here) == std::string::npos) {
+      diagnostics.warning(plugin.sdf.position, core->name + " is left out: it belongs in " + core->holders);
+    }
+    return;
+  }
   if (isFromServer(plugin.sdf.position.file)) origin = {plugin::Loader::Paths::kNever, true, origin.need};
   std::string name = plugin::systemName(plugin.filename);
   std::unique_ptr<System> system;

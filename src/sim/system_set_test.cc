@@ -110,6 +110,27 @@ TEST(SystemSet, RunsWithoutPluginsThatAreNotThere) {
             "2 plugins were not found: they are left out: 'no-such-thing' (line 1), 'nor-such-a-one' (line 2)");
 }
 
+TEST(SystemSet, LeavesOutWhatGivesDataToSomethingElse) {
+  const auto said = [](const std::string& content) {
+    Diagnostics diagnostics;
+    EXPECT_NE(Simulation::fromText(world(content), "world.sdf", {}, diagnostics), nullptr);
+    std::vector<std::string> messages;
+    for (const Diagnostic& diagnostic : diagnostics.all()) messages.push_back(diagnostic.message);
+    return messages;
+  };
+  const std::string physics = R"(<plugin filename="ignition-gazebo-physics-system" name=""/>)";
+  const std::string label = R"(<plugin filename="ignition-gazebo-label-system" name=""><label>7</label></plugin>)";
+  const std::string thermal =
+      R"(<plugin filename="ignition-gazebo-thermal-system" name=""><temperature>300</temperature></plugin>)";
+  const auto model = [](const std::string& plugin) {
+    return "<model name='n'><static>true</static><link name='l'/>" + plugin + "</model>";
+  };
+  EXPECT_EQ(said(physics + model(label)), std::vector<std::string>());
+  EXPECT_EQ(said(physics + label),
+            std::vector<std::string>{"label is left out: it belongs in a <model>, a <visual> or an <actor>"});
+  EXPECT_EQ(said(physics + model(thermal)), std::vector<std::string>{"thermal is left out: it belongs in a <visual>"});
+}
+
 TEST(SystemSet, DoesNotRunWithoutASystemThatTheUserAskedFor) {
   Element plugin;
   plugin.name = "plugin";

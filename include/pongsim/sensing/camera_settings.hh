@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -94,6 +95,16 @@ struct LensSettings {
   bool operator==(const LensSettings&) const = default;
 };
 
+/// What the system `thermal-sensor` in a thermal camera sets.
+struct ThermalSettings {
+  /// Temperature per unit of the image [K]; unset: 0.01 with 16 bits for each pixel, 3 with 8 bits.
+  std::optional<double> resolution;
+  /// Temperatures outside of these are shown as these [K].
+  double coldest = 0;
+  double hottest = std::numeric_limits<double>::infinity();
+  bool operator==(const ThermalSettings&) const = default;
+};
+
 /// `<camera>`, for all types of cameras.
 struct CameraSettings {
   enum class Segmentation { kSemantic, kPanoptic };
@@ -134,6 +145,7 @@ struct CameraSettings {
   std::string savePath;
   Segmentation segmentation = Segmentation::kSemantic;
   Boxes boxes = Boxes::kVisible2d;
+  ThermalSettings thermal;
   bool operator==(const CameraSettings&) const = default;
 };
 

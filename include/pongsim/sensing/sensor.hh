@@ -23,8 +23,9 @@ class PONGSIM_API Sensor {
   /// @return Whether its model is in an unloaded level (`Model::isSetAside`).
   bool isSetAside() const;
   std::string_view name() const;
-  /// @return Its type as in the file: "imu". That of a custom sensor which a system of pongsim simulates is a type of its
-  /// own: "dvl", "environmental_sensor" or, for a vector, "environmental_vector_sensor".
+  /// @return Its type as in the file: "imu". That of a custom sensor which a system of pongsim simulates is a type of
+  /// its own: "dvl", "environmental_sensor" or, for a vector, "environmental_vector_sensor". A camera for bounding
+  /// boxes in space is a "boundingbox_camera_3d".
   std::string_view type() const;
   /// @return Its name with all its parents but the world: "model::link::sensor".
   std::string scopedName() const;

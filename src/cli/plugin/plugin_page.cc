@@ -26,6 +26,10 @@ const char* placeText(Declaration::Place place) {
   }
 }
 
+std::string placeOf(const plugin::CoreSystem& system) {
+  return system.holders.empty() ? placeText(system.declaration.place()) : system.holders;
+}
+
 const char* verb(Endpoint::Kind kind) {
   switch (kind) {
     case Endpoint::Kind::kPublished:
@@ -93,12 +97,14 @@ std::vector<std::pair<std::string, const Parameter*>> shownParameters(const Decl
   return shown;
 }
 
-void addClassText(const std::vector<std::string>& names, const Declaration& declaration, std::string& text) {
+/// @param place Where its `<plugin>` belongs.
+void addClassText(const std::vector<std::string>& names, const Declaration& declaration, const std::string& place,
+                  std::string& text) {
   text += "\nclass " + names.front();
   for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? ", also " : ", ") + names[i];
   text += "\n";
   if (declaration.text().empty()) return;
-  text += declaration.text() + "\nBelongs in " + placeText(declaration.place()) + ".\n";
+  text += declaration.text() + "\nBelongs in " + place + ".\n";
   std::vector<std::vector<std::string>> rows;
   for (const auto& [shownName, parameter] : shownParameters(declaration)) {
     rows.push_back({shownName, typeText(*parameter), defaultText(*parameter), parameter->text()});
@@ -112,11 +118,11 @@ void addClassText(const std::vector<std::string>& names, const Declaration& decl
   addTable(rows, text);
 }
 
-void addClassMarkdown(const std::string& name, const Declaration& declaration, const std::string& filename,
-                      std::string& text) {
+void addClassMarkdown(const std::string& name, const Declaration& declaration, const std::string& place,
+                      const std::string& filename, std::string& text) {
   text += "## " + name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1) + "\n" +
-          declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; belongs in " +
-          escaped(placeText(declaration.place())) + "\n";
+          declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; belongs in " + escaped(place) +
+          "\n";
   if (!declaration.parameters().empty()) {
     text += "\n| parameter | type | default | meaning |\n|---|---|---|---|\n";
     for (const auto& [shownName, parameter] : shownParameters(declaration)) {
@@ -142,13 +148,14 @@ std::string worldsFilename(const std::string& name, std::string_view className) 
 
 std::string pluginText(const plugin::Inspection& inspection) {
   std::string text = inspection.file().string() + "\nplugin interface version " + std::to_string(kAbiVersion) + "\n";
-  for (const auto& found : inspection.classes()) addClassText(found.names, found.declaration, text);
+  for (const auto& found : inspection.classes())
+    addClassText(found.names, found.declaration, placeText(found.declaration.place()), text);
   return text;
 }
 
 std::string pluginText(const plugin::CoreSystem& system) {
   std::string text = "part of pongsim itself\n";
-  addClassText({system.className}, system.declaration, text);
+  addClassText({system.className}, system.declaration, placeOf(system), text);
   return text;
 }
 
@@ -159,14 +166,15 @@ std::string pluginMarkdown(const plugin::Inspection& inspection) {
   for (const auto& found : inspection.classes()) {
     const std::string& className = found.names.front();
     const std::string filename = file.starts_with("libpongsim-") ? worldsFilename(name, className) : name;
-    addClassMarkdown(className, found.declaration, filename, text);
+    addClassMarkdown(className, found.declaration, placeText(found.declaration.place()), filename, text);
   }
   return text;
 }
 
 std::string pluginMarkdown(const plugin::CoreSystem& system) {
   std::string text;
-  addClassMarkdown(system.className, system.declaration, worldsFilename(system.name, system.className), text);
+  addClassMarkdown(system.className, system.declaration, placeOf(system), worldsFilename(system.name, system.className),
+                   text);
   return text + "\nPart of pongsim itself.\n";
 }
 

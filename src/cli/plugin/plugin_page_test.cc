@@ -57,5 +57,13 @@ TEST(PluginPage, TellsOfWhatIsPartOfPongsimItself) {
       << markdown;
 }
 
+TEST(PluginPage, TellsInWhatSystemsBelongThatGiveItData) {
+  const plugin::CoreSystem& system = *plugin::coreSystem("thermal");
+  EXPECT_NE(pluginText(system).find("Belongs in a <visual>.\n"), std::string::npos) << pluginText(system);
+  const std::string markdown = pluginMarkdown(system);
+  EXPECT_NE(markdown.find("belongs in a \\<visual>\n"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| `<temperature>` | element |  | the same everywhere [K] |"), std::string::npos) << markdown;
+}
+
 }  // namespace
 }  // namespace pongsim::cli

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sdf/includes/asset_file.hh"
+#include "sdf/readers/shapes/data_systems.hh"
 #include "sdf/readers/shapes/visual_reader.hh"
 #include "sdf/readers/worlds/plugin_reader.hh"
 #include "sdf/text/names.hh"
@@ -89,6 +90,7 @@ ActorDraft readActor(const Element& element, const std::string& owner, Context& 
   for (const Element* plugin : element.childrenNamed("plugin")) {
     actor.plugins.push_back(readPlugin(*plugin, label, context));
   }
+  actor.label = readLabel(actor.plugins, label, context);
   return draft;
 }
 

@@ -9,6 +9,7 @@
 #include "base/nearest_word.hh"
 #include "sdf/includes/includes.hh"
 #include "sdf/readers/models/parts_reader.hh"
+#include "sdf/readers/shapes/data_systems.hh"
 #include "sdf/text/names.hh"
 
 namespace pongsim::sdf {
@@ -83,6 +84,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   model.frames = parts.takeFrames();
   model.models = parts.takeModels();
   model.plugins = parts.takePlugins();
+  model.label = readLabel(model.plugins, label, context);
   context.urdf = model.urdf.source;
   return draft;
 }

@@ -2,6 +2,8 @@
 #include "sdf/includes/includes.hh"
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -12,8 +14,8 @@ namespace pongsim::sdf {
 
 namespace {
 
-// Edge length of the largest textures that graphics cards support.
-constexpr long long kLongestEdge = 65'536;
+// what is too large to draw is a warning of the system that draws it
+constexpr long long kLongestEdge = std::numeric_limits<std::int32_t>::max();
 
 PixelFormat readFormat(const Element& image, Context& context) {
   using enum PixelFormat;

@@ -81,6 +81,21 @@ TEST(Camera, ReadsWhatItsTypeIsFor) {
             CameraSettings::Boxes::kFull2d);
 }
 
+TEST(Camera, ForBoxesInSpaceHasATypeOfItsOwn) {
+  const auto typeOf = [](const std::string& content, const std::string& type) {
+    return loadCamera(content, type).model().links.at(0).sensors.at(0).type;
+  };
+  EXPECT_EQ(typeOf("<box_type>3d</box_type>", "boundingbox"), "boundingbox_camera_3d");
+  EXPECT_EQ(typeOf("<box_type>2d</box_type>", "boundingbox"), "boundingbox");
+  EXPECT_EQ(typeOf("<box_type>3d</box_type>", "camera"), "camera");
+}
+
+TEST(Camera, MayBeTooLargeToDraw) {
+  const Loaded loaded = loadCamera("<image><width>100000</width><height>100000</height></image>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(cameraOf(loaded).width, 100'000U);
+}
+
 TEST(Camera, IsPlacedInItsSensorOrInAnotherFrame) {
   const Loaded loaded = loadModel(
       "<frame name='f'><pose>10 0 0 0 0 0</pose></frame><link name='l'><pose>1 0 0 0 0 0</pose>"
@@ -98,7 +113,7 @@ TEST(Camera, IsPlacedInItsSensorOrInAnotherFrame) {
 TEST(Camera, SaysWhatIsWrong) {
   const auto message = [](const std::string& content) { return loadCamera(content).messages.at(0); };
   EXPECT_EQ(message("<image><width>0</width></image>"),
-            "t.sdf:5:16: error: <width> is '0', which is not an integer from 1 to 65536");
+            "t.sdf:5:16: error: <width> is '0', which is not an integer from 1 to 2147483647");
   EXPECT_EQ(message("<image><format>R8G8B</format></image>"),
             "t.sdf:5:16: error: <format> has the unknown value 'R8G8B' | did you mean 'R8G8B8'?");
   EXPECT_EQ(message("<clip><near>5</near><far>1</far></clip>"),

@@ -13,6 +13,7 @@
 #include "sdf/readers/sensors/camera_reader.hh"
 #include "sdf/readers/sensors/lidar_reader.hh"
 #include "sdf/readers/sensors/noise_reader.hh"
+#include "sdf/readers/shapes/data_systems.hh"
 #include "sdf/readers/worlds/plugin_reader.hh"
 #include "sdf/text/names.hh"
 
@@ -173,8 +174,9 @@ constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"air_pressure", "air_pressure", "", true},
     {"air_speed", "air_speed", "", true},
     {"altimeter", "altimeter", "", true},
-    {"boundingbox", "camera", "", false},
-    {"boundingbox_camera", "camera", "", false},
+    {"boundingbox", "camera", "", true},
+    {"boundingbox_camera", "camera", "", true},
+    {"boundingbox_camera_3d", "camera", "", true},
     {"camera", "camera", "", true},
     {"contact", "contact", "", true},
     {"custom", "", "", false},
@@ -198,19 +200,24 @@ constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"rfidtag", "rfidtag", "", false},
     {"rgbd", "camera", "", true},
     {"rgbd_camera", "camera", "", true},
-    {"segmentation", "camera", "", false},
-    {"segmentation_camera", "camera", "", false},
+    {"segmentation", "camera", "", true},
+    {"segmentation_camera", "camera", "", true},
     {"sonar", "sonar", "", false},
-    {"thermal", "camera", "", false},
-    {"thermal_camera", "camera", "", false},
-    {"wide_angle_camera", "camera", "", false},
-    {"wideanglecamera", "camera", "", false},
+    {"thermal", "camera", "", true},
+    {"thermal_camera", "camera", "", true},
+    {"wide_angle_camera", "camera", "", true},
+    {"wideanglecamera", "camera", "", true},
     {"wireless_receiver", "transceiver", "", false},
     {"wireless_transmitter", "transceiver", "", false},
 });
 
-/// @return The sensor's type; that of a custom sensor that a system of pongsim simulates is a type of its own.
+/// @return The sensor's type; that of a custom sensor that a system of pongsim simulates is a type of its own, and so
+/// is that of a camera for boxes in space, which publishes messages of another type than those for boxes in the image.
 std::string typeOf(const Element& element, const std::string& type) {
+  if (type == "boundingbox" || type == "boundingbox_camera") {
+    const Element* camera = element.child("camera");
+    return camera != nullptr && childText(*camera, "box_type") == "3d" ? "boundingbox_camera_3d" : type;
+  }
   if (type != "custom") return type;
   const std::string_view custom = customTypeOf(element);
   if (custom == "dvl") return "dvl";
@@ -294,8 +301,9 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
     sensor.type = typeOf(element, type->value);
     sensor.settings = readSettings(element, sensor, context);
     const Element* camera = element.child("camera");
-    if (camera != nullptr && std::holds_alternative<CameraSettings>(sensor.settings)) {
-      draft.cameraPose = readPose(*camera, context);
+    if (auto* settings = std::get_if<CameraSettings>(&sensor.settings)) {
+      settings->thermal = readThermal(sensor.plugins, labelOf(sensor), context);
+      if (camera != nullptr) draft.cameraPose = readPose(*camera, context);
     }
   } else {
     context.diagnostics.error(element.position, labelOf(sensor) + " has no type", "write type=\"imu\", for example");

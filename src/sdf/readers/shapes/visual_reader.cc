@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "sdf/readers/shapes/data_systems.hh"
 #include "sdf/readers/shapes/geometry_reader.hh"
 #include "sdf/readers/shapes/material_reader.hh"
 #include "sdf/readers/worlds/plugin_reader.hh"
@@ -28,6 +29,8 @@ description::Visual readVisual(const Element& element, const std::string& owner,
   for (const Element* plugin : element.childrenNamed("plugin")) {
     visual.plugins.push_back(readPlugin(*plugin, label, context));
   }
+  visual.label = readLabel(visual.plugins, label, context);
+  visual.heat = readHeat(visual.plugins, label, context);
   return visual;
 }
 
