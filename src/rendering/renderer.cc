@@ -135,7 +135,43 @@ class Renderer::Content {
     frame.read(depths);
   }
 
+  void drawNumbers(const Scene& scene, const PictureView& view, std::span<std::uint32_t> numbers) {
+    if (numberPass_ == nullptr) numberPass_ = std::make_unique<NumberPass>(gl_);
+    values_.resize(numbers.size());
+    drawValues(scene, view, *numberPass_, NumberPass::kNothing, values_);
+    std::ranges::transform(values_, numbers.begin(), [](float value) { return static_cast<std::uint32_t>(value); });
+  }
+
+  void drawTemperatures(const Scene& scene, const PictureView& view, const AirTemperatures& air,
+                        std::span<float> temperatures) {
+    if (temperaturePass_ == nullptr) temperaturePass_ = std::make_unique<TemperaturePass>(gl_);
+    temperaturePass_->setAir(air);
+    drawValues(scene, view, *temperaturePass_, static_cast<float>(air.coldest), temperatures);
+  }
+
  private:
+  /// @param pass See `values.hh`.
+  /// @param nothing The value where nothing is.
+  template <class Pass>
+  void drawValues(const Scene& scene, const PictureView& view, const Pass& pass, float nothing,
+                  std::span<float> values) {
+    assert(values.size() == std::size_t{view.width} * view.height);
+    tidy(scene);
+    const Frame& frame = frameFor(Frame::Kind::kDepths, view, 1);
+    gl_.disable(GL_FRAMEBUFFER_SRGB);
+    begin(frame);
+    const std::array<float, 4> background{nothing, 0, 0, 0};
+    gl_.clearBufferfv(GL_COLOR, 0, background.data());
+    const Matrix4d clip = clipFromPlace(view);
+    pass.use();
+    setMatrix(shaders::kClipFromPlace, clip);
+    for (const Item* item : seenItems(scene, view, clip)) {
+      pass.set(*item, store_);
+      drawSurface(*item, view.X_WorldEye.position);
+    }
+    frame.read(values);
+  }
+
   void tidy(const Scene& scene) {
     if (scene.version() != version_) store_.tidy();
     version_ = scene.version();
@@ -240,6 +276,10 @@ class Renderer::Content {
   SurfacePrograms surfaces_;
   Resolve resolve_;
   Program depths_;
+  /// Created for the first picture of the kind.
+  std::unique_ptr<NumberPass> numberPass_;
+  std::unique_ptr<TemperaturePass> temperaturePass_;
+  std::vector<float> values_;
   Program sky_;
   Lines lines_;
   std::map<std::tuple<Frame::Kind, std::uint32_t, std::uint32_t, int>, std::unique_ptr<Frame>> frames_;
@@ -270,6 +310,17 @@ void Renderer::drawColors(const Scene& scene, const PictureView& view, std::span
 void Renderer::drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
   const Binding binding(*context_);
   content().drawDepths(scene, view, depths);
+}
+
+void Renderer::drawNumbers(const Scene& scene, const PictureView& view, std::span<std::uint32_t> numbers) {
+  const Binding binding(*context_);
+  content().drawNumbers(scene, view, numbers);
+}
+
+void Renderer::drawTemperatures(const Scene& scene, const PictureView& view, const AirTemperatures& air,
+                                std::span<float> temperatures) {
+  const Binding binding(*context_);
+  content().drawTemperatures(scene, view, air, temperatures);
 }
 
 }  // namespace pongsim::rendering

@@ -7,6 +7,7 @@
 #include "pongsim/sensing/camera_scene.hh"
 #include "rendering/context.hh"
 #include "rendering/scene.hh"
+#include "rendering/values.hh"
 
 namespace pongsim::rendering {
 
@@ -18,6 +19,9 @@ class Renderer {
 
   void drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels);
   void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths);
+  void drawNumbers(const Scene& scene, const PictureView& view, std::span<std::uint32_t> numbers);
+  void drawTemperatures(const Scene& scene, const PictureView& view, const AirTemperatures& air,
+                        std::span<float> temperatures);
 
  private:
   class Content;

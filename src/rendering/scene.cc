@@ -1,5 +1,6 @@
 #include "rendering/scene.hh"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -119,6 +120,18 @@ description::Color plainColor(const Vector3& shares) {
   return {color.x(), color.y(), color.z(), 1};
 }
 
+/// @return What is known of a link's visuals: whose they are, and their label unless they have their own.
+SeenVisual seenOf(const world::Entities& entities, const world::LinkRecord& link) {
+  SeenVisual seen;
+  const world::ModelRecord* model = nullptr;
+  for (Slot slot = link.model; slot != world::kNoSlot; slot = model->parent) {
+    model = &entities.models()[slot];
+    if (!seen.label) seen.label = model->description->label;
+  }
+  seen.owner = model->scopedName;
+  return seen;
+}
+
 bool holds(const world::Entities& entities, Slot outer, Slot model) {
   while (model != outer && model != world::kNoSlot) model = entities.models()[model].parent;
   return model == outer;
@@ -141,6 +154,8 @@ void Scene::setColors(const std::optional<Vector3>& background, const std::optio
 
 void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
   items_.clear();
+  visuals_.clear();
+  airTemperature_ = entities.description().environment.atmosphere.temperature;
   ++version_;
   for (Slot slot = 0; slot < entities.links().size(); ++slot) {
     const world::LinkRecord& link = entities.links()[slot];
@@ -148,7 +163,9 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
     Item prototype;
     prototype.link = slot;
     prototype.model = entities.models()[link.model].id;
+    const SeenVisual seen = seenOf(entities, link);
     for (const description::Visual& visual : link.description->visuals) {
+      visuals_.push_back(seen);
       addVisual(visual, prototype, "visual '" + visual.name + "' of link '" + link.description->name + "'",
                 diagnostics);
     }
@@ -164,6 +181,7 @@ void Scene::addActor(const description::Actor& actor, Diagnostics& diagnostics) 
   Item prototype;
   prototype.actor = &actor;
   for (const description::Visual& visual : description::visualsOf(actor)) {
+    visuals_.push_back({actor.name, actor.label});
     addVisual(visual, prototype, "visual '" + visual.name + "' of actor '" + actor.name + "'", diagnostics);
   }
 }
@@ -174,8 +192,12 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     std::string text = kind + " '" + file.string() + "' " + problem.text + ": cameras will not see it on " + owner;
     if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
   };
+  if (visual.label) visuals_.back().label = visual.label;
+  const std::optional<Warmth> warmth = warmthOf(visual.heat, warn);
   for (const Body& body : std::visit(MakeBodies{shapes_, meshes_, warn}, visual.geometry)) {
     Item item = prototype;
+    item.number = visuals_.size() - 1;
+    item.warmth = warmth;
     item.surface = body.surface;
     item.visual = visual.name;
     item.paint = paintOf(visual, body.material);
@@ -204,6 +226,13 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
     entry->second = std::make_shared<const assets::Picture>(std::move(std::get<0>(read)));
   }
   return entry->second;
+}
+
+std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& heat, const Warn& warn) {
+  if (!heat) return std::nullopt;
+  if (heat->signature.empty()) return Warmth{heat->temperature, heat->temperature, nullptr};
+  const double coldest = heat->coldest.value_or(airTemperature_), hottest = heat->hottest.value_or(airTemperature_);
+  return Warmth{std::min(coldest, hottest), std::max(coldest, hottest), pictureOf(heat->signature, warn)};
 }
 
 void Scene::update(const world::Entities& entities, const world::State& state) {

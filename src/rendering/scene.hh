@@ -18,6 +18,7 @@
 #include "description/material.hh"
 #include "description/scene.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
 #include "rendering/paint.hh"
 #include "rendering/surface.hh"
@@ -25,6 +26,15 @@
 #include "world/state.hh"
 
 namespace pongsim::rendering {
+
+/// Temperature of a surface: from its coldest to its hottest place.
+struct Warmth {
+  /// [K]
+  double coldest = 0;
+  double hottest = 0;
+  /// How hot which place is: 0 to 1 in red. Null: everywhere as `coldest`.
+  std::shared_ptr<const assets::Picture> signature;
+};
 
 /// A placed surface. A visual is one, or several if its mesh has parts.
 struct Item {
@@ -42,6 +52,10 @@ struct Item {
   Pose X_LinkSurface;
   /// Along the axes of the surface, before rotation.
   Vector3 scale = Vector3::Ones();
+  /// Index in `Scene::visuals`; the same for all parts of a mesh.
+  std::size_t number = 0;
+  /// Unset: like the air.
+  std::optional<Warmth> warmth;
   /// Bounding box of the surface, in its own frame before scaling.
   Eigen::AlignedBox3d bounds;
   std::uint32_t visibility = 0xFFFFFFFF;
@@ -89,6 +103,8 @@ class Scene {
 
   const std::vector<Item>& items() const { return items_; }
   const std::vector<Lamp>& lamps() const { return lamps_; }
+  /// See `CameraScene::visuals`.
+  const std::vector<SeenVisual>& visuals() const { return visuals_; }
   const description::Scene& surroundings() const { return surroundings_; }
   /// @return A number that increases whenever items are added or removed.
   std::uint64_t version() const { return version_; }
@@ -105,7 +121,13 @@ class Scene {
 
   std::shared_ptr<const assets::Picture> pictureOf(const std::filesystem::path& file, const Warn& warn);
 
+  /// @return What `thermal` says of a visual.
+  std::optional<Warmth> warmthOf(const std::optional<description::Heat>& heat, const Warn& warn);
+
   std::vector<Item> items_;
+  std::vector<SeenVisual> visuals_;
+  /// Of the world's atmosphere [K].
+  double airTemperature_ = 0;
   std::vector<Lamp> lamps_;
   description::Scene surroundings_;
   std::optional<Vector3> background_;

@@ -11,6 +11,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
+#include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -70,6 +71,28 @@ class PONGSIM_API CameraScene {
   /// @param depths Distance along x at the centre of each pixel [m]; infinite where nothing is visible. Row by row from
   /// the top; width height values.
   void drawDepths(const PictureView& view, std::span<float> depths);
+
+  /// @return All visuals, at the last `rebuild` or `update`.
+  const std::vector<SeenVisual>& visuals() const;
+
+  /// @param numbers The foremost visual at the centre of each pixel: 1 + its index in `visuals`; 0 where nothing is
+  /// visible. Lights and transparency have no effect. Row by row from the top; width height values.
+  void drawNumbers(const PictureView& view, std::span<std::uint32_t> numbers);
+
+  /// @param temperatures At the centre of each pixel [K]: those that the system `thermal` gives to visuals, else that
+  /// of the air, warmer where a visual is brighter. Transparency has no effect. Row by row from the top; width height
+  /// values.
+  void drawTemperatures(const PictureView& view, std::span<float> temperatures);
+
+  /// @param visual Index in `visuals`.
+  /// @return A box around the projection of all of it that is farther than the near clip distance, hidden or not
+  /// [pixels]; empty if there is nothing. It may extend beyond the image.
+  Eigen::AlignedBox2d imageBounds(std::size_t visual, const PictureView& view) const;
+
+  /// @param visuals Indices in `visuals`; at least one.
+  /// @return A box around them in the world frame: of one visual along its own axes, of several along the principal
+  /// axes of their vertices.
+  TurnedBox turnedBox(std::span<const std::size_t> visuals) const;
 
   /// Writes a PNG file, replacing an existing one.
   /// @param pixels As from `drawColors`.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "assets/images/picture_file.hh"
+#include "rendering/boxes.hh"
 #include "rendering/osmesa.hh"
 #include "rendering/renderer.hh"
 #include "rendering/scene.hh"
@@ -49,6 +50,25 @@ void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pi
 
 void CameraScene::drawDepths(const PictureView& view, std::span<float> depths) {
   content_->renderer->drawDepths(content_->scene, view, depths);
+}
+
+const std::vector<SeenVisual>& CameraScene::visuals() const { return content_->scene.visuals(); }
+
+void CameraScene::drawNumbers(const PictureView& view, std::span<std::uint32_t> numbers) {
+  content_->renderer->drawNumbers(content_->scene, view, numbers);
+}
+
+void CameraScene::drawTemperatures(const PictureView& view, std::span<float> temperatures) {
+  const description::Atmosphere& air = content_->access.entities.description().environment.atmosphere;
+  content_->renderer->drawTemperatures(content_->scene, view, rendering::airTemperatures(air, view), temperatures);
+}
+
+Eigen::AlignedBox2d CameraScene::imageBounds(std::size_t visual, const PictureView& view) const {
+  return rendering::imageBounds(content_->scene, visual, view);
+}
+
+TurnedBox CameraScene::turnedBox(std::span<const std::size_t> visuals) const {
+  return rendering::turnedBox(content_->scene, visuals);
 }
 
 void CameraScene::writePicture(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,

@@ -53,6 +53,17 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     return depths;
   }
 
+  std::vector<std::uint32_t> numbers(const PictureView& view) {
+    std::vector<std::uint32_t> numbers(std::size_t{view.width} * view.height);
+    renderer_->drawNumbers(scene_, view, numbers);
+    return numbers;
+  }
+  std::vector<float> temperatures(const PictureView& view, const AirTemperatures& air) {
+    std::vector<float> temperatures(std::size_t{view.width} * view.height);
+    renderer_->drawTemperatures(scene_, view, air, temperatures);
+    return temperatures;
+  }
+
   void letPass(Time time) {
     state().time += time;
     scene_.update(entities(), state());
