@@ -20,9 +20,24 @@ namespace {
 // point clouds, where a stopped subscriber would otherwise take gigabytes.
 constexpr int kQueue = 1000;
 constexpr int kQueueWithPictures = 100;
-constexpr std::string_view kPictures[] = {
-    "camera",  "depth_camera", "depth", "rgbd_camera",     "thermal_camera", "thermal", "segmentation_camera",
-    "gpu_ray", "gpu_lidar",    "lidar", "wideanglecamera", "logical_camera"};
+constexpr std::string_view kPictures[] = {"camera",
+                                          "depth_camera",
+                                          "depth",
+                                          "rgbd_camera",
+                                          "thermal_camera",
+                                          "thermal",
+                                          "segmentation",
+                                          "segmentation_camera",
+                                          "boundingbox",
+                                          "boundingbox_camera",
+                                          "boundingbox_camera_3d",
+                                          "gpu_ray",
+                                          "gpu_lidar",
+                                          "lidar",
+                                          "ray",
+                                          "wide_angle_camera",
+                                          "wideanglecamera",
+                                          "logical_camera"};
 
 class Ign final : public System {
  public:

@@ -153,7 +153,9 @@ void addSensors(std::vector<Kind>& kinds) {
       "<lidar><scan><horizontal><samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></"
       "scan>"
       "<range><min>0.3</min><max>10</max></range></lidar>";
-  for (const char* type : {"camera", "depth", "depth_camera", "rgbd", "rgbd_camera"}) {
+  for (const char* type :
+       {"boundingbox", "boundingbox_camera", "camera", "depth", "depth_camera", "rgbd", "rgbd_camera", "segmentation",
+        "segmentation_camera", "thermal", "thermal_camera", "wide_angle_camera", "wideanglecamera"}) {
     kinds.push_back(sensorKind(type, cameras, camera));
   }
   for (const char* type : {"gpu_lidar", "gpu_ray", "lidar", "ray"}) kinds.push_back(sensorKind(type, cameras, beams));

@@ -17,7 +17,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 // Systems that only read poses. Those that need velocities or forces are not among them.
-constexpr std::array<std::string_view, 11> kLooking{"scene-broadcaster",
+constexpr std::array<std::string_view, 12> kLooking{"scene-broadcaster",
                                                     "sensors",
                                                     "pose-publisher",
                                                     "joint-state-publisher",
@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, 11> kLooking{"scene-broadcaster",
                                                     "air-pressure",
                                                     "logical-camera",
                                                     "thermal",
+                                                    "thermal-sensor",
                                                     "label",
                                                     "logicalaudiosensorplugin"};
 

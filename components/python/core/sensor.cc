@@ -80,7 +80,7 @@ const Stream& Stream::use() const {
 void Stream::hear(const Message& heard, const Bulk* bulk) {
   if (kind == SensorReadings::kRanges) {
     hearScan(heard);
-  } else if (kind == SensorReadings::kImage || kind == SensorReadings::kDepth || kind == SensorReadings::kPoints) {
+  } else if (kind == SensorReadings::kPoints || type == "ignition.msgs.Image") {
     hearBulk(heard, bulk);
   } else {
     heard.SerializeToString(&message);

@@ -113,8 +113,16 @@ class Sensor:
 
     @property
     def image(self) -> NDArray[Any]:
-        """Cameras: rows and columns of pixels; red, green, blue for R8G8B8, one number for L8 and L16."""
+        """Cameras: rows and columns of pixels; red, green, blue for R8G8B8, one number for L8 and L16.
+
+        Of a thermal camera the temperatures in units of its resolution, of a segmentation camera its coloured map.
+        """
         return self._array("image")
+
+    @property
+    def labels(self) -> NDArray[np.uint8]:
+        """Segmentation cameras: three numbers for each pixel, as in the map of labels."""
+        return self._array("labels")
 
     @property
     def depth(self) -> NDArray[np.float32]:

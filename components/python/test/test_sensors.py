@@ -89,6 +89,39 @@ def test_images(pixels, shape, kind):
         assert np.any(image[3, 4] != image[3, 0])
 
 
+LABELLED = """<plugin filename="ignition-gazebo-label-system" name="ignition::gazebo::systems::Label"><label>7</label>
+  </plugin></model><model name="eye">"""
+
+
+@needs_osmesa
+def test_labels():
+    world = (SEEN % (CAMERA % ("segmentation_camera", "R8G8B8"))).replace('</model>\n  <model name="eye">', LABELLED)
+    with pongsim.Simulation(world) as sim:
+        camera = sim.sensor("camera", "image", "labels")
+        assert camera.kinds == ["image", "labels"]
+        sim.step(20)
+        assert camera.labels.shape == (6, 8, 3) and camera.labels.dtype == np.uint8
+        assert camera.labels[3, 4].tolist() == [7, 7, 7]
+        assert camera.labels[3, 0].tolist() == [0, 0, 0]
+        assert np.any(camera.image[3, 4] != 0) and not np.any(camera.image[3, 0])
+
+
+@needs_osmesa
+def test_temperatures_and_boxes():
+    with seen(CAMERA % ("thermal_camera", "L16")) as sim:
+        camera = sim.sensor("camera")
+        sim.step(20)
+        assert camera.image.shape == (6, 8) and camera.image.dtype == np.uint16
+        assert camera.image[3, 0] == pytest.approx(28815, abs=20)
+    with seen(CAMERA % ("boundingbox_camera", "R8G8B8")) as sim:
+        camera = sim.sensor("camera")
+        assert camera.kinds == ["message", "image"]
+        sim.step(20)
+        assert camera.message().get("annotated_box", []) == []
+        sim.step(20)
+        assert camera.image.shape == (6, 8, 3)
+
+
 @needs_osmesa
 def test_depths():
     with seen(CAMERA % ("rgbd_camera", "R8G8B8")) as sim:

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -21,10 +20,6 @@ namespace {
 
 using ignition::msgs::PointCloudPacked;
 
-// gives an image message of 48 MB
-constexpr std::uint64_t kMostPixels = 16'000'000;
-// nothing closer is rendered, whatever <near> is [m]
-constexpr double kNearestClip = 1e-3;
 constexpr std::uint32_t kColorOffset = 16;
 /// As in Fortress.
 constexpr PointField kCameraPointFields[] = {{"x", 0, PointCloudPacked::Field::FLOAT32},
@@ -48,120 +43,67 @@ const ImageFormat* imageFormat(PixelFormat format) {
   return found == std::end(kImageFormats) ? nullptr : found;
 }
 
-Error errorOf(const Sensor& sensor, const std::string& what, const std::string& hint) {
-  return Error({Severity::kError, sensor.sdf().position, "camera '" + sensor.scopedName() + "' " + what, hint});
-}
-
-/// @return The camera's settings, without noise types that cameras do not support; a warning reports these.
-CameraSettings usedSettings(const Sensor& sensor) {
-  CameraSettings settings = *sensor.settings<CameraSettings>();
-  if (settings.noise.type == NoiseSettings::Type::kGaussianQuantized) settings.noise = {};
-  return settings;
-}
-
-/// @return The default topic of `camera_info`: beside the images.
-std::string infoTopic(const std::string& topic, bool isBelow) {
-  if (isBelow) return topic + "/camera_info";
-  const std::size_t slash = topic.rfind('/');
-  return (slash == std::string::npos ? "" : topic.substr(0, slash)) + "/camera_info";
-}
-
 /// Brightness of a colour (ITU-R BT.601), from 0 to 255 or 65,535.
 double brightness(const std::uint8_t* color, double most) {
   return (0.299 * color[0] + 0.587 * color[1] + 0.114 * color[2]) * most / 255;
 }
 
-void begin(std::uint32_t width, std::uint32_t height, ignition::msgs::PixelFormatType type, std::uint32_t bytes,
-           ignition::msgs::Image& image) {
-  image.set_width(width);
-  image.set_height(height);
-  image.set_step(width * bytes);
-  image.set_pixel_format_type(type);
-}
-
 }  // namespace
 
 CameraSensor::Kind CameraSensor::kindOf(const Sensor& sensor) {
-  if (sensor.type() == "camera") return Kind::kColors;
+  if (sensor.type() == "camera" || sensor.type().starts_with("wide")) return Kind::kColors;
   return sensor.type().starts_with("depth") ? Kind::kDepths : Kind::kBoth;
 }
 
 CameraSensor::CameraSensor(const SensorContext& context, CameraSurroundings& surroundings)
     : SensorOf(context),
-      sensor_(context.sensor),
-      settings_(usedSettings(sensor_)),
-      kind_(kindOf(sensor_)),
-      surroundings_(surroundings),
+      kind_(kindOf(context.sensor)),
+      body_(context, surroundings,
+            kind_ == Kind::kBoth ? CameraBody::InfoPlace::kBelow : CameraBody::InfoPlace::kBeside),
+      settings_(body_.settings()),
       topic_(context.topic),
       noise_(context.noises.add(settings_.noise, "image")),
       depthNoise_(context.noises.add(settings_.noise, "depth")) {
-  if (std::uint64_t{settings_.width} * settings_.height > kMostPixels) {
-    throw errorOf(sensor_, "has more than " + std::to_string(kMostPixels) + " pixels", {});
-  }
   if (kind_ != Kind::kDepths && imageFormat(settings_.format) == nullptr) {
-    throw errorOf(sensor_, "has an unsupported <format>", "use R8G8B8, B8G8R8, L8 or L16");
+    throw body_.error("has an unsupported <format>", "use R8G8B8, B8G8R8, L8 or L16");
   }
-  if (!settings_.lens.has_value() && settings_.horizontalFov >= 3.1) {
-    throw errorOf(sensor_, "has a field of view too wide for a pinhole camera",
-                  "<horizontal_fov> must be less than 3.1 rad");
-  }
-  if (settings_.savesPictures && settings_.savePath.empty()) {
-    throw errorOf(sensor_, "saves images, but has no <path>", "write <save><path>FOLDER</path></save>");
-  }
-  settings_.clip.near = std::max(settings_.clip.near, kNearestClip);
-  view_ = depthView_ = viewOf(settings_);
+  view_ = depthView_ = body_.view();
   if (settings_.depthClip) {
-    depthView_.near = std::max(settings_.depthClip->near, kNearestClip);
+    depthView_.near = settings_.depthClip->near;
     depthView_.far = settings_.depthClip->far;
   }
-  if (settings_.distortion && kind_ == Kind::kColors) distortion_.emplace(*settings_.distortion, view_);
+  if (body_.wideLens()) {
+    wideLens_.emplace(*body_.wideLens(), *settings_.lens, view_);
+  } else if (settings_.distortion && kind_ == Kind::kColors) {
+    distortion_.emplace(*settings_.distortion, view_);
+  }
 
-  infos_ = context.node.advertise<ignition::msgs::CameraInfo>(
-      settings_.infoTopic.empty() ? infoTopic(topic_.name(), kind_ == Kind::kBoth) : cleanTopic(settings_.infoTopic));
   if (kind_ == Kind::kBoth) depthImages_ = context.advertise(SensorReadings::kDepth);
   if (kind_ != Kind::kColors) points_ = context.advertise(SensorReadings::kPoints);
-  if (settings_.isTriggered) listenToTrigger(context.node);
   beginMessages();
 }
 
 void CameraSensor::beginMessages() {
   const std::uint32_t width = settings_.width, height = settings_.height;
   if (kind_ == Kind::kDepths) {
-    begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), message());
+    beginImage(width, height, ignition::msgs::R_FLOAT32, sizeof(float), message());
   } else {
     const ImageFormat& format = *imageFormat(settings_.format);
-    begin(width, height, format.type, format.bytes, message());
+    beginImage(width, height, format.type, format.bytes, message());
   }
-  pongsim::fillIn(settings_, view_, info_);
   if (kind_ == Kind::kColors) return;
-  if (kind_ == Kind::kBoth) begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), depthImage_);
+  if (kind_ == Kind::kBoth) beginImage(width, height, ignition::msgs::R_FLOAT32, sizeof(float), depthImage_);
   beginCloud(kCameraPointFields, width, height, cloud_);
 }
 
-void CameraSensor::listenToTrigger(Node& node) {
-  if (settings_.triggerTopic.empty()) {
-    throw errorOf(sensor_, "is triggered, but has no <trigger_topic>", "write <trigger_topic>TOPIC</trigger_topic>");
-  }
-  trigger_ = node.subscribe(cleanTopic(settings_.triggerTopic), "ignition.msgs.Boolean",
-                            [this](const pongsim::Message&) { isTriggered_ = true; });
-}
-
-bool CameraSensor::isReady() {
-  if (!surroundings_.hasPower(sensor_)) return false;
-  if (!settings_.isTriggered) return true;
-  const bool was = isTriggered_;
-  isTriggered_ = false;
-  return was;
-}
-
 bool CameraSensor::isHeardElsewhere() const {
-  return infos_.hasSubscribers() || isDepthHeard() || arePointsHeard() || settings_.savesPictures;
+  return body_.isInfoHeard() || isDepthHeard() || arePointsHeard() || settings_.savesPictures;
 }
 
 /// @return Whether the rendered pixels need no processing, and at most one subscriber took the last image.
 bool CameraSensor::isDrawnAsItIsSent() const {
   return settings_.format == PixelFormat::kR8G8B8 && settings_.noise.type == NoiseSettings::Type::kNone &&
-         !distortion_ && !settings_.savesPictures && writes_ <= 1;
+         !distortion_ && !wideLens_ && !settings_.savesPictures && writes_ <= 1;
 }
 
 void CameraSensor::drawColors() {
@@ -171,10 +113,12 @@ void CameraSensor::drawColors() {
     PictureView source = distortion_->source();
     source.X_WorldEye = view_.X_WorldEye;
     drawn_.resize(std::size_t{3} * source.width * source.height);
-    surroundings_.now().drawColors(source, drawn_);
+    body_.scene().drawColors(source, drawn_);
     distortion_->apply(drawn_, colors_);
+  } else if (wideLens_) {
+    wideLens_->draw(body_.scene(), view_.X_WorldEye, colors_);
   } else {
-    surroundings_.now().drawColors(view_, colors_);
+    body_.scene().drawColors(view_, colors_);
   }
   if (settings_.noise.type == NoiseSettings::Type::kNone) return;
   for (std::uint8_t& value : colors_) {
@@ -185,7 +129,7 @@ void CameraSensor::drawColors() {
 
 void CameraSensor::drawDepths() {
   depths_.resize(std::size_t{settings_.width} * settings_.height);
-  surroundings_.now().drawDepths(depthView_, depths_);
+  body_.scene().drawDepths(depthView_, depths_);
   if (settings_.noise.type == NoiseSettings::Type::kNone) return;
   shifts_.assign(depths_.size(), 0);
   for (std::size_t i = 0; i < depths_.size(); ++i) {
@@ -201,7 +145,7 @@ void CameraSensor::drawDepths() {
 
 void CameraSensor::measure() {
   const bool isHeard = topic_.hasSubscribers();
-  view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
+  view_.X_WorldEye = depthView_.X_WorldEye = body_.pose();
   const bool ofDepths = kind_ == Kind::kDepths;
   arePointsMeasured_ = arePointsHeard();
   if (isHeard && !ofDepths && !arePointsMeasured_ && isDrawnAsItIsSent()) {
@@ -237,7 +181,7 @@ void CameraSensor::writeColors(std::span<std::byte> place) {
   auto* to = reinterpret_cast<std::uint8_t*>(place.data());
   ++writes_;
   if (drawing_ == Drawing::kDue) {
-    surroundings_.now().drawColors(view_, {to, place.size()});
+    body_.scene().drawColors(view_, {to, place.size()});
     drawing_ = Drawing::kSent;
     return;
   }
@@ -294,13 +238,7 @@ void CameraSensor::writePoints(std::span<std::byte> to) const {
 }
 
 void CameraSensor::publishElsewhere() {
-  if (infos_.hasSubscribers()) {
-    *info_.mutable_header() = message().header();
-    if (!settings_.opticalFrame.empty()) {
-      setHeaderValue("frame_id", settings_.opticalFrame, *info_.mutable_header());
-    }
-    infos_.publish(info_);
-  }
+  body_.publishInfo(message().header());
   if (isDepthHeard()) {
     *depthImage_.mutable_header() = message().header();
     depthImages_.publish(depthImage_, depthBulk());
@@ -311,29 +249,10 @@ void CameraSensor::publishElsewhere() {
     points_.publish(
         cloud_, {.size = depths_.size() * kPointSize, .write = [this](std::span<std::byte> to) { writePoints(to); }});
   }
-  if (settings_.savesPictures) save();
-}
-
-void CameraSensor::save() {
-  try {
-    const std::filesystem::path folder = settings_.savePath;
-    std::filesystem::create_directories(folder);
-    const std::string name = std::string(sensor_.name()) + "_" + std::to_string(savedCount_++) + ".png";
+  body_.save([this](const std::filesystem::path& folder, std::uint64_t number) {
+    const std::string name = std::string(body_.sensor().name()) + "_" + std::to_string(number) + ".png";
     CameraScene::writePicture(folder / name, settings_.width, settings_.height, colors_);
-  } catch (const std::exception& error) {
-    Logger("sensors").warning("camera '" + sensor_.scopedName() + "' stopped saving images: " + error.what());
-    settings_.savesPictures = false;
-  }
-}
-
-void CameraSensor::reset() {
-  isTriggered_ = false;
-  savedCount_ = 0;
-}
-
-void CameraSensor::transfer(StateArchive& archive) {
-  archive(isTriggered_);
-  archive(savedCount_);
+  });
 }
 
 }  // namespace pongsim

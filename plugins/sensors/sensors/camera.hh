@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ignition/msgs/camera_info.pb.h>
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/pointcloud_packed.pb.h>
 
@@ -11,17 +10,13 @@
 #include <vector>
 
 #include "camera_lens.hh"
+#include "cameras/camera_body.hh"
 #include "pongsim/bulk.hh"
 #include "pongsim/node.hh"
-#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/sensing/noise.hh"
 #include "pongsim/sensing/sensor_system.hh"
-#include "surroundings.hh"
 
 namespace pongsim {
-
-/// What the cameras of a world share.
-using CameraSurroundings = Surroundings<CameraScene>;
 
 /// One camera for colours, depths or both.
 class CameraSensor final : public SensorOf<ignition::msgs::Image> {
@@ -29,8 +24,7 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   /// @throws Error if its settings are not supported, or it has too many pixels.
   CameraSensor(const SensorContext& context, CameraSurroundings& surroundings);
 
-  /// @return Whether it takes an image now. It does not while it waits for a trigger, or has no power.
-  bool isReady() override;
+  bool isReady() override { return body_.isReady(); }
   void measure() override;
   /// @return The pixels as in the message. An image that needs no processing is rendered directly into the first
   /// subscriber's buffer, when that asks for it.
@@ -38,8 +32,8 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   bool isHeardElsewhere() const override;
   /// Publishes and saves what `measure` has measured.
   void publishElsewhere() override;
-  void reset() override;
-  void transfer(StateArchive& archive) override;
+  void reset() override { body_.reset(); }
+  void transfer(StateArchive& archive) override { body_.transfer(archive); }
 
  private:
   enum class Kind { kColors, kDepths, kBoth };
@@ -49,7 +43,6 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   static Kind kindOf(const Sensor& sensor);
 
   void beginMessages();
-  void listenToTrigger(Node& node);
   bool isDepthHeard() const { return depthImages_ && depthImages_.hasSubscribers(); }
   bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
   bool isDrawnAsItIsSent() const;
@@ -61,12 +54,10 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   /// @return The point of the cloud; minus infinity if it is too near, infinity if there is none.
   Eigen::Vector3f placeOf(std::size_t pixel, double right, double down) const;
   void writePoints(std::span<std::byte> to) const;
-  void save();
 
-  Sensor sensor_;
-  CameraSettings settings_;
   Kind kind_;
-  CameraSurroundings& surroundings_;
+  CameraBody body_;
+  const CameraSettings& settings_;
   const SensorTopic& topic_;
   Noise& noise_;
   /// In metres. A stream of its own, so that depths do not depend on whether colours are rendered.
@@ -75,6 +66,7 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   PictureView view_;
   PictureView depthView_;
   std::optional<Distortion> distortion_;
+  std::optional<WideLens> wideLens_;
   std::vector<std::uint8_t> colors_;
   Drawing drawing_ = Drawing::kDone;
   /// How often the pixels of the current image have been written.
@@ -85,13 +77,8 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   std::vector<float> depths_;
   /// Noise added to each depth [m]; empty without noise.
   std::vector<float> shifts_;
-  Publisher infos_;
   Publisher depthImages_;
   Publisher points_;
-  Subscription trigger_;
-  bool isTriggered_ = false;
-  std::uint64_t savedCount_ = 0;
-  ignition::msgs::CameraInfo info_;
   ignition::msgs::Image depthImage_;
   ignition::msgs::PointCloudPacked cloud_;
 };

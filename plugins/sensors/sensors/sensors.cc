@@ -2,10 +2,14 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "camera.hh"
+#include "cameras/box_camera.hh"
+#include "cameras/segmentation_camera.hh"
+#include "cameras/thermal_camera.hh"
 #include "lidar.hh"
 #include "pongsim/sensing/sensor_system.hh"
 
@@ -16,6 +20,8 @@ namespace {
 constexpr const char* kScan = "ignition.msgs.LaserScan";
 constexpr const char* kPoints = "ignition.msgs.PointCloudPacked";
 constexpr const char* kImage = "ignition.msgs.Image";
+constexpr const char* kImageBoxes = "ignition.msgs.AnnotatedAxisAligned2DBox_V";
+constexpr const char* kSpaceBoxes = "ignition.msgs.AnnotatedOriented3DBox_V";
 
 /// What lidars and cameras publish.
 std::vector<SensorReadings> allReadings() {
@@ -25,7 +31,9 @@ std::vector<SensorReadings> allReadings() {
     all.push_back({type, Readings::kRanges, LidarSensor::kSuffix, "", kScan});
     all.push_back({type, Readings::kPoints, LidarSensor::kSuffix, "/points", kPoints});
   }
-  all.push_back({"camera", Readings::kImage, "/image", "", kImage});
+  for (const char* type : {"camera", "thermal", "thermal_camera", "wide_angle_camera", "wideanglecamera"}) {
+    all.push_back({type, Readings::kImage, "/image", "", kImage});
+  }
   for (const char* type : {"depth_camera", "depth"}) {
     all.push_back({type, Readings::kDepth, "/depth_image", "", kImage});
     all.push_back({type, Readings::kPoints, "/depth_image", "/points", kPoints});
@@ -34,6 +42,15 @@ std::vector<SensorReadings> allReadings() {
     all.push_back({type, Readings::kImage, "", "/image", kImage});
     all.push_back({type, Readings::kDepth, "", "/depth_image", kImage});
     all.push_back({type, Readings::kPoints, "", "/points", kPoints});
+  }
+  for (const char* type : {"segmentation", "segmentation_camera"}) {
+    all.push_back({type, Readings::kImage, "/segmentation", "/colored_map", kImage});
+    all.push_back({type, SegmentationCamera::kLabels, "/segmentation", "/labels_map", kImage});
+  }
+  for (const char* type : {"boundingbox", "boundingbox_camera", "boundingbox_camera_3d"}) {
+    const bool isInSpace = std::string_view(type).ends_with("3d");
+    all.push_back({type, Readings::kMessage, "/boundingbox", "", isInSpace ? kSpaceBoxes : kImageBoxes});
+    all.push_back({type, Readings::kImage, "/boundingbox", "_image", kImage});
   }
   return all;
 }
@@ -71,6 +88,16 @@ class Sensors final : public SensorSystem {
                           "depth image [m] of each `depth_camera`, and of each `rgbd_camera` with `/depth_image`");
     declaration.publishes(sensor + "/depth_image/points", kPoints,
                           "point cloud of each `depth_camera` and `rgbd_camera`: its topic with `/points`");
+    declaration.publishes(sensor + "/image", kImage,
+                          "temperatures of each `thermal_camera` (`thermal`), divided by its resolution");
+    declaration.publishes(sensor + "/image", kImage, "colour image of each `wide_angle_camera` (`wideanglecamera`)");
+    declaration.publishes(sensor + "/segmentation/colored_map", kImage,
+                          "a colour for each label or instance, of each `segmentation_camera` (`segmentation`)");
+    declaration.publishes(sensor + "/segmentation/labels_map", kImage, "its labels and the counts of instances");
+    declaration.publishes(sensor + "/boundingbox", kImageBoxes,
+                          "boxes in the image of each `boundingbox_camera` (`boundingbox`)");
+    declaration.publishes(sensor + "/boundingbox", kSpaceBoxes, "boxes in space, if its `<box_type>` is 3d");
+    declaration.publishes(sensor + "/boundingbox_image", kImage, "its image with the boxes drawn");
     declaration.publishes(sensor + "/camera_info", "ignition.msgs.CameraInfo",
                           "of each camera, beside its images; renamed by `<camera_info_topic>`");
     SensorSystem::declare(declaration);
@@ -97,6 +124,11 @@ class Sensors final : public SensorSystem {
     if (context.sensor.settings<LidarSettings>() != nullptr) {
       return std::make_unique<LidarSensor>(context, lidars(context));
     }
+    const std::string_view type = context.sensor.type();
+    if (type.starts_with("thermal")) return std::make_unique<ThermalCamera>(context, cameras(context));
+    if (type.starts_with("segmentation")) return std::make_unique<SegmentationCamera>(context, cameras(context));
+    if (type.ends_with("3d")) return std::make_unique<SpaceBoxCamera>(context, cameras(context));
+    if (type.starts_with("boundingbox")) return std::make_unique<ImageBoxCamera>(context, cameras(context));
     return std::make_unique<CameraSensor>(context, cameras(context));
   }
 

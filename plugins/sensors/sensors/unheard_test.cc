@@ -100,6 +100,7 @@ constexpr const char* kScan = "ignition.msgs.LaserScan";
 constexpr const char* kCloud = "ignition.msgs.PointCloudPacked";
 constexpr const char* kImage = "ignition.msgs.Image";
 constexpr const char* kInfo = "ignition.msgs.CameraInfo";
+constexpr const char* kBoxes = "ignition.msgs.AnnotatedAxisAligned2DBox_V";
 
 class LightSensors : public testing::TestWithParam<Reading> {
  protected:
@@ -149,7 +150,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Reading{"depth_camera", "/t/points", kCloud, {1, 0, 1, 1}},
                     Reading{"rgbd_camera", "/t/image", kImage, {1, 0, 1, 0}},
                     Reading{"rgbd_camera", "/t/depth_image", kImage, {1, 0, 0, 1}},
-                    Reading{"rgbd_camera", "/t/points", kCloud, {1, 0, 1, 1}}),
+                    Reading{"rgbd_camera", "/t/points", kCloud, {1, 0, 1, 1}},
+                    Reading{"thermal_camera", "/t", kImage, {1, 0, 0, 0}},
+                    Reading{"thermal_camera", "/camera_info", kInfo, {}},
+                    Reading{"segmentation_camera", "/t/labels_map", kImage, {1, 0, 0, 0}},
+                    Reading{"segmentation_camera", "/t/camera_info", kInfo, {}},
+                    Reading{"boundingbox_camera", "/t", kBoxes, {1, 0, 0, 0}},
+                    Reading{"boundingbox_camera", "/t_image", kImage, {1, 0, 1, 0}},
+                    Reading{"boundingbox_camera", "/camera_info", kInfo, {}},
+                    Reading{"wide_angle_camera", "/t", kImage, {1, 0, 1, 0}}),
     [](const auto& instance) {
       std::string name = std::string(instance.param.sensorType) + instance.param.topic;
       std::ranges::replace(name, '/', '_');
