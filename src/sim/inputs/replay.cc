@@ -11,7 +11,8 @@ Replay::Replay(const Tape& tape, Simulation& simulation, bool paused)
     : tape_(tape),
       simulation_(simulation),
       control_(paused),
-      services_(simulation, control_, [](const std::filesystem::path&) {}),
+      history_(simulation, false),
+      services_(simulation, control_, history_, [](const std::filesystem::path&) {}),
       serverServices_(simulation.transport(), {std::string(simulation.world().name())}, [] {}),
       gate_(simulation.transport(), transport::InputGate::Use::kReplace) {}
 

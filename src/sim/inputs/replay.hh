@@ -10,6 +10,7 @@
 #include "pongsim/simulation.hh"
 #include "sim/inputs/recording.hh"
 #include "sim/running/run_control.hh"
+#include "sim/running/run_history.hh"
 #include "sim/running/run_services.hh"
 #include "sim/running/server_services.hh"
 #include "transport/input_gate.hh"
@@ -47,6 +48,7 @@ class Replay {
   const Tape& tape_;
   Simulation& simulation_;
   RunControl control_;
+  RunHistory history_;
   RunServices services_;
   ServerServices serverServices_;
   transport::InputGate gate_;
