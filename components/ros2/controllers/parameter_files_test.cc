@@ -41,7 +41,7 @@ TEST_F(ParameterFilesTest, ReadsTypesAndNestedNames) {
   EXPECT_EQ(arm.whole("gain", 3), 3);
   EXPECT_EQ(arm.numberAboveZero("zero", 0), 0);
   EXPECT_EQ(arm.errors(), (Words{"'gain' must be a whole number", "'zero' must be above zero"}));
-  EXPECT_EQ(arm.asked().at("rate").integer_value, 50);
+  EXPECT_EQ(arm.asked().at("absent").double_value, 4);
 }
 
 TEST_F(ParameterFilesTest, FindsNodesByNamespacesAndWildcards) {

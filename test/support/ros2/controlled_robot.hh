@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "pongsim/node.hh"
@@ -77,9 +79,22 @@ class ControlledRobot {
   template <Structure Message>
   void tell(const std::string& topic, const Message& message) {
     const auto publisher = peer_.advertise<Message>(topic);
-    ASSERT_TRUE(test::waitUntil([&] { return publisher->hasReaders(); })) << topic;
-    publisher->publish(message);
-    ASSERT_TRUE(test::waitUntil([&] { return manager_->dispatch() > 0; })) << topic;
+    // a best-effort reader hears what it has met the writer of
+    ASSERT_TRUE(test::waitUntil([&] {
+      const auto writers = participant_.graph().endpointsOn(topicOnWire(topic), Graph::Role::kWriter);
+      return publisher->hasReaders() && !writers.empty();
+    })) << topic;
+    const auto arrives = [&] {
+      for (int i = 0; i < 500; ++i) {
+        if (manager_->dispatch() > 0) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      return false;
+    };
+    ASSERT_TRUE(test::waitUntil([&] {
+      publisher->publish(message);
+      return arrives();
+    })) << topic;
   }
 
   /// Collects the messages of a topic, which arrive on another thread.
@@ -103,6 +118,24 @@ class ControlledRobot {
     });
     EXPECT_TRUE(test::waitUntil([&] { return heard->subscription->reader().writers() > 0; })) << topic;
     return heard;
+  }
+
+  /// Makes steps until a message arrives that is not older than `age`: some are lost where steps are faster than the
+  /// reader.
+  /// @return That message.
+  template <Structure Message>
+  Message next(Heard<Message>& heard, Time age = std::chrono::milliseconds(30)) {
+    Message last;
+    EXPECT_TRUE(test::waitUntil([&] {
+      step(10);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      const auto all = heard.get();
+      if (all.empty()) return false;
+      last = all.back();
+      const auto& stamp = last.header.stamp;
+      return std::chrono::seconds(stamp.sec) + Time(stamp.nanosec) >= now_ - age;
+    }));
+    return last;
   }
 
   std::vector<std::byte> save() {

@@ -128,18 +128,18 @@ TEST(JointTrajectoryController, FollowsByVelocitiesAndByEfforts) {
 TEST(JointTrajectoryController, EndsGoalsByTheirTolerances) {
   ControlledRobot robot = arms(
       "    command_interfaces: [velocity]\n    constraints:\n      goal_time: 0.5\n      first: {goal: 0.02}\n"
-      "    gains:\n      first: {p: 10.0, ff_velocity_scale: 1.0}\n      second: {p: 10.0, ff_velocity_scale: 1.0}\n");
+      // without feed-forward the first lags behind
+      "    gains:\n      first: {p: 10.0}\n      second: {p: 10.0, ff_velocity_scale: 1.0}\n");
   robot.start("jtc");
   robot.step(10);
   TrajectoryClient client(robot);
   ASSERT_TRUE(client.send(1, goalOf(toward(1, 0, 1))));
-  robot.step(1200);
+  robot.step(1500);
   EXPECT_EQ(client.result(1).status, Status::kStatusSucceeded);
   EXPECT_EQ(client.result(1).result.error_code, Result::kSuccessful);
 
-  // too fast to be followed within that
   control_msgs::action::FollowJointTrajectory::Goal goal = goalOf(toward(-1, 0, 1, false));
-  goal.path_tolerance = {{"first", 1e-5, 0, 0}};
+  goal.path_tolerance = {{"first", 0.05, 0, 0}};
   ASSERT_TRUE(client.send(2, goal));
   robot.step(1200);
   EXPECT_EQ(client.result(2).status, Status::kStatusAborted);

@@ -26,8 +26,8 @@ WORLD = pathlib.Path(__file__).with_name("controllers.sdf")
 MANAGER = "/controller_manager"
 
 
-def ask(tester, kind, name, **request):
-    return ros.call(tester, kind, f"{MANAGER}/{name}", kind.Request(**request))
+def ask(tester, kind, service, **request):
+    return ros.call(tester, kind, f"{MANAGER}/{service}", kind.Request(**request))
 
 
 def spawn(tester, name):
