@@ -120,6 +120,12 @@ class PONGSIM_API Simulation {
   /// @return Whether it can be used; otherwise `diagnostics` has the reason.
   bool addSystem(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
 
+  /// Adds a system that only watches the world or serves others, such as a web server, after all existing ones. It
+  /// survives a reset, but is not part of saved states: those of before can be restored.
+  /// @param plugin Its `<plugin>`, which names it and has its parameters.
+  /// @return Whether it can be used; otherwise `diagnostics` has the reason.
+  bool addWatcher(const Element& plugin, Diagnostics& diagnostics);
+
   /// Offers the services that change the world (`/world/W/create`, `remove`, `set_pose` and so on) and resource paths
   /// (`/gazebo/resource_paths/...`) on `transport()`, as `pongsim run` does, as long as this exists. Requests are
   /// handled when messages are delivered.

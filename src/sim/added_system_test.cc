@@ -66,6 +66,28 @@ TEST_F(AddedSystemTest, IsAloneWhereThePluginsOfFilesDoNotCount) {
   EXPECT_TRUE(simulation_->insertText(model, "m.sdf", {}, diagnostics));
 }
 
+TEST_F(AddedSystemTest, IsNoPartOfTheStateIfItOnlyWatches) {
+  start();
+  simulation_->step(3);
+  const std::vector<std::byte> before = simulation_->saveState();
+  Element plugin;
+  plugin.name = "plugin";
+  plugin.attributes = {{"filename", "ignition-gazebo-breadcrumbs-system", {}}, {"name", "ignition::gazebo::systems::Breadcrumbs", {}}};
+  // what can't be used is not there
+  EXPECT_FALSE(simulation_->addWatcher(plugin, diagnostics_));
+  EXPECT_FALSE(diagnostics_.all().empty());
+  plugin.attributes = {{"filename", "ignition-gazebo-imu-system", {}}, {"name", "ignition::gazebo::systems::Imu", {}}};
+  diagnostics_ = Diagnostics();
+  ASSERT_TRUE(simulation_->addWatcher(plugin, diagnostics_)) << format(diagnostics_.all().front());
+  EXPECT_EQ(simulation_->saveState(), before);
+  simulation_->step();
+  EXPECT_TRUE(simulation_->restoreState(before));
+  simulation_->reset(diagnostics_);
+  simulation_->step(3);
+  EXPECT_EQ(simulation_->saveState(), before);
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
 TEST_F(AddedSystemTest, IsCalledBehindThoseThatAreThereAndStaysThroughAReset) {
   using Calls = std::vector<std::string>;
   start();

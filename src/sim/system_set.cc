@@ -164,7 +164,9 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     }
     return;
   }
-  if (isFromServer(plugin.sdf.position.file)) origin = {plugin::Loader::Paths::kNever, true, origin.need};
+  if (isFromServer(plugin.sdf.position.file)) {
+    origin = {plugin::Loader::Paths::kNever, true, origin.need, origin.isWatcher};
+  }
   std::string name = plugin::systemName(plugin.filename);
   std::unique_ptr<System> system;
   std::optional<Declaration> declaration;
@@ -197,7 +199,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   const Node node = isBelow ? transport_.node().below(*nameSpace) : transport_.node();
   start({model ? model->id() : ModelId(), number, name, plugin.sdf, node, stream(SystemSlot::streamOf(name, number)),
          std::move(system), *std::move(declaration), actor ? actor->id() : ActorId(), where(), false,
-         origin.isFromOutside, endsWithReset},
+         origin.isFromOutside, endsWithReset, origin.isWatcher},
         model, actor, diagnostics);
 }
 
@@ -247,6 +249,20 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
                                             true,
                                             false},
                                            {}, {}, diagnostics);
+  collect();
+  return isUsed;
+}
+
+bool SystemSet::addWatcher(const Element& plugin, Diagnostics& diagnostics) {
+  const std::size_t before = slots_.size();
+  Diagnostics own;
+  add(pluginsOf({plugin}).front(), before, {}, {plugin::Loader::Paths::kNever, false, kRequired, true}, own);
+  const bool isUsed = slots_.size() > before && !own.hasErrors();
+  if (!isUsed && slots_.size() > before) {
+    forgetTopics(slots_.back());
+    slots_.pop_back();
+  }
+  for (const Diagnostic& each : own.all()) diagnostics.add(each);
   collect();
   return isUsed;
 }
@@ -410,6 +426,7 @@ Outcome<void> SystemSet::finish() {
 std::vector<std::string> SystemSet::save() {
   std::vector<std::string> saved;
   for (SystemSlot& slot : slots_) {
+    if (slot.isWatcher()) continue;
     StateArchive archive;
     slot.transfer(archive);
     const std::vector<std::byte> bytes = archive.take();
@@ -419,9 +436,12 @@ std::vector<std::string> SystemSet::save() {
 }
 
 void SystemSet::restore(const std::vector<std::string>& saved, bool awakeOnly) {
-  if (saved.size() != slots_.size()) throw std::runtime_error("it is of other systems");
+  const auto isSaved = [](const SystemSlot& slot) { return !slot.isWatcher(); };
+  if (std::cmp_not_equal(saved.size(), std::ranges::count_if(slots_, isSaved)))
+    throw std::runtime_error("it is of other systems");
   auto next = saved.begin();
   for (SystemSlot& slot : slots_) {
+    if (!isSaved(slot)) continue;
     StateArchive archive(std::as_bytes(std::span(next->data(), next->size())));
     ++next;
     if (awakeOnly && slot.isResting()) continue;
@@ -436,14 +456,17 @@ void SystemSet::restore(const std::vector<std::string>& saved, bool awakeOnly) {
 }
 
 void SystemSet::addTo(base::Hash& hash) const {
-  for (const SystemSlot& slot : slots_) hash.add(slot.stream());
+  for (const SystemSlot& slot : slots_) {
+    if (!slot.isWatcher()) hash.add(slot.stream());
+  }
 }
 
-/// Sorts the systems as they were loaded at the start: those of the world, of each model, of each actor, added ones.
+/// Sorts the systems as they were loaded at the start: those of the world, of each model, of each actor, added ones,
+/// watchers.
 void SystemSet::putInOrder() {
   const auto place = [this](const SystemSlot& slot) {
-    return std::tuple(slot.isAdded(), slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0,
-                      slot.number());
+    return std::tuple(slot.isWatcher(), slot.isAdded(), slot.actor(),
+                      slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
   };
   slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }

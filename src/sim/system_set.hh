@@ -52,6 +52,10 @@ class SystemSet {
   /// @return Whether it can be used; otherwise `diagnostics` has the reason.
   bool add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
 
+  /// Configures a system that is not part of saved states, after all others.
+  /// @return Whether it can be used; otherwise `diagnostics` has the reason.
+  bool addWatcher(const Element& plugin, Diagnostics& diagnostics);
+
   /// @return Whether bodies move: the world lists the physics system, or no system.
   bool wantsPhysics() const { return wantsPhysics_; }
 
@@ -112,6 +116,7 @@ class SystemSet {
     bool isFromOutside = false;
     /// Whether the options of the run ask for it, in addition to the file.
     plugin::Loader::Need need = plugin::Loader::Need::kOptional;
+    bool isWatcher = false;
   };
   void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);

@@ -49,6 +49,8 @@ class SystemSlot final : public CallGuard {
     bool isFromOutside = false;
     /// Whether it is a world system of an inserted model: a reset removes it.
     bool endsWithReset = false;
+    /// Whether it is not part of saved states.
+    bool isWatcher = false;
   };
   /// Called with the reason each time the system is switched off.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -66,6 +68,7 @@ class SystemSlot final : public CallGuard {
   bool isAdded() const { return parts_.isAdded; }
   bool isFromOutside() const { return parts_.isFromOutside; }
   bool endsWithReset() const { return parts_.endsWithReset; }
+  bool isWatcher() const { return parts_.isWatcher; }
   /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.plugin.position; }

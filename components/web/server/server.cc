@@ -45,15 +45,22 @@ constexpr const char* kAssets = "/assets";
 constexpr std::size_t kMostReasons = 20;
 constexpr int kWithoutWaiting = -1;
 
-// Content security policy of the page: only what it consists of.
+// Content security policy of the page: only what it consists of, in frames of the named pages.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
     "font-src 'self'; connect-src 'self' blob: data:; worker-src 'self'; manifest-src 'self'; base-uri 'none'; "
-    "form-action 'none'; frame-ancestors 'none'";
+    "form-action 'none'; frame-ancestors ";
 constexpr lws_protocol_vhost_options kOpener{nullptr, nullptr, "cross-origin-opener-policy:", "same-origin"};
 constexpr lws_protocol_vhost_options kReferrer{&kOpener, nullptr, "referrer-policy:", "no-referrer"};
 constexpr lws_protocol_vhost_options kSniff{&kReferrer, nullptr, "x-content-type-options:", "nosniff"};
-constexpr lws_protocol_vhost_options kHeaders{&kSniff, nullptr, "content-security-policy:", kPolicy};
+
+std::string policy(const std::vector<std::string>& framingOrigins) {
+  std::string text = kPolicy;
+  if (framingOrigins.empty()) return text + "'none'";
+  for (const std::string& origin : framingOrigins) text += origin + " ";
+  text.pop_back();
+  return text;
+}
 
 /// The library's last message; the library has one log per process.
 std::mutex errorMutex;
@@ -101,7 +108,7 @@ void checkReadable(const std::filesystem::path& file, const char* what) {
 class Server::Loop {
  public:
   Loop(ServerSettings settings, const Logger& log, const std::vector<Protocol*>& protocols)
-      : settings_(std::move(settings)), log_(log) {
+      : settings_(std::move(settings)), log_(log), policy_(policy(settings_.framingOrigins)) {
     mostSockets_ = std::min(static_cast<std::size_t>(settings_.limits.connections),
                             static_cast<std::size_t>(std::max(sysconf(_SC_OPEN_MAX), 2L)) / 2);
     listProtocols(protocols);
@@ -155,7 +162,7 @@ class Server::Loop {
     info.user = this;
     info.gid = info.uid = static_cast<decltype(info.gid)>(-1);
     info.server_string = "pongsim";
-    info.headers = &kHeaders;
+    info.headers = &headers_;
     info.timeout_secs = static_cast<unsigned>(settings_.limits.handshake.count());
     info.keepalive_timeout = static_cast<int>(settings_.limits.handshake.count());
     info.retry_and_idle_policy = &idle_;
@@ -405,6 +412,9 @@ class Server::Loop {
 
   const ServerSettings settings_;
   const Logger& log_;
+  /// The library refers to them.
+  const std::string policy_;
+  const lws_protocol_vhost_options headers_{&kSniff, nullptr, "content-security-policy:", policy_.c_str()};
   std::vector<std::string> names_;
   std::unordered_map<std::string, Protocol*> protocols_;
   std::vector<lws_protocols> table_;

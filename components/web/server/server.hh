@@ -26,6 +26,8 @@ struct ServerSettings {
   /// 0: any free port.
   int port = 9002;
   AccessRules access;
+  /// Origins of pages that may show the page in a frame; with ":*" for any port: "http://localhost:*".
+  std::vector<std::string> framingOrigins;
   /// Files of the page; empty: none.
   std::filesystem::path page;
   FindAsset findAsset;

@@ -91,6 +91,15 @@ TEST_F(ServerTest, ServesThePageWithAStrictPolicy) {
   EXPECT_TRUE(RawClient(port).get("/main.js").ends_with("run()"));
 }
 
+TEST_F(ServerTest, LetsOnlyNamedPagesShowItInAFrame) {
+  const auto endsWith = [&](const char* policy) {
+    return RawClient(start()).get("/").find(std::string("; frame-ancestors ") + policy + "\r\n") != std::string::npos;
+  };
+  EXPECT_TRUE(endsWith("'none'"));
+  settings_.framingOrigins = {"http://localhost:*", "https://lab.example"};
+  EXPECT_TRUE(endsWith("http://localhost:* https://lab.example"));
+}
+
 TEST_F(ServerTest, SendsTheCompressedFileToWhoTakesIt) {
   const std::string answer = RawClient(start()).get("/main.js", "Accept-Encoding: br, gzip\r\n");
   EXPECT_TRUE(answer.ends_with("compressed")) << answer;

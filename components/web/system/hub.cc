@@ -21,7 +21,7 @@ bool isSame(const ServerSettings& a, const ServerSettings& b) {
   const auto values = [](const ServerSettings& each) {
     const AccessRules& access = each.access;
     return std::tie(each.addresses, each.certificate, each.key, access.isOpen, access.isReadOnly, access.readingOrigins,
-                    access.writingOrigins);
+                    access.writingOrigins, each.framingOrigins);
   };
   return values(a) == values(b);
 }

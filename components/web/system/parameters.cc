@@ -23,6 +23,17 @@ void checkOrigins(const std::vector<std::string>& origins, const Element& plugin
   }
 }
 
+/// What the page's policy contains can't end it: a browser would ignore the rest.
+void checkFramingOrigins(const std::vector<std::string>& origins, const Element& plugin) {
+  for (const std::string& each : origins) {
+    std::string_view origin = each;
+    if (origin.ends_with(":*")) origin.remove_suffix(2);
+    std::string error = originError(origin);
+    if (error.empty() && origin.find_first_of(";,'\"") != std::string_view::npos) error = "has more than names";
+    if (!error.empty()) refuse(plugin, "'" + each + "' is not an origin: it " + error);
+  }
+}
+
 /// Reads `<subscription_limit_per_connection>`, whose `<subscription>`s have a `<msg_type>` and a `<limit>`.
 void readLimits(const Element& limits, GzSettings& gz) {
   for (const Element* const each : limits.childrenNamed("subscription")) {
@@ -58,6 +69,8 @@ void WebParameters::declare(Declaration& declaration) {
   declaration.parameter("origin", &origins, "",
                         "Origin of another page that may connect read-only, such as https://app.gazebosim.org");
   declaration.parameter("writing_origin", &writingOrigins, "", "Origin of another page that may also change things");
+  declaration.parameter("framing_origin", &framingOrigins, "",
+                        "Origin of a page that may show this one in a frame; \":*\" at its end stands for any port");
   declaration.parameter("read_only", &isReadOnly, "", "Whether all clients are read-only");
   declaration.usesFiles();
   declaration.parameter("certificate", &certificate, "", "File with the certificate for TLS, in PEM")
@@ -84,6 +97,7 @@ void WebParameters::declare(Declaration& declaration) {
 void WebParameters::readRest(const Element& plugin) {
   checkOrigins(origins, plugin);
   checkOrigins(writingOrigins, plugin);
+  checkFramingOrigins(framingOrigins, plugin);
   if (const Element* const limits = plugin.child("subscription_limit_per_connection")) readLimits(*limits, gz);
   if (const Element* const ssl = plugin.child("ssl")) {
     if (certificate.empty()) certificate = ssl->get<std::string>("cert_file", "");
@@ -100,6 +114,7 @@ ServerSettings serverSettings(const WebParameters& parameters, const std::string
   settings.port = parameters.port;
   settings.certificate = parameters.certificate;
   settings.key = parameters.key;
+  settings.framingOrigins = parameters.framingOrigins;
   AccessRules& access = settings.access;
   access.isReadOnly = parameters.isReadOnly;
   access.readingOrigins = parameters.origins;

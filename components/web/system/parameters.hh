@@ -15,6 +15,7 @@ struct WebParameters {
   int port = 9002;
   std::vector<std::string> origins;
   std::vector<std::string> writingOrigins;
+  std::vector<std::string> framingOrigins;
   bool isReadOnly = false;
   std::string certificate;
   std::string key;

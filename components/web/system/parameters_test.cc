@@ -36,11 +36,13 @@ TEST(WebParameters, AreThoseOfOurs) {
   const WebParameters parameters =
       read({element("port", "8080"), element("origin", "https://a.example"), element("origin", "https://b.example"),
             element("writing_origin", "https://c.example"), element("read_only", "true"),
+            element("framing_origin", "http://localhost:*"),
             element("certificate", "c.pem"), element("key", "k.pem")});
   const ServerSettings settings = serverSettings(parameters, "", "");
   EXPECT_EQ(settings.port, 8080);
   EXPECT_EQ(settings.access.readingOrigins, (std::vector<std::string>{"https://a.example", "https://b.example"}));
   EXPECT_EQ(settings.access.writingOrigins, std::vector<std::string>{"https://c.example"});
+  EXPECT_EQ(settings.framingOrigins, std::vector<std::string>{"http://localhost:*"});
   EXPECT_TRUE(settings.access.isReadOnly);
   EXPECT_EQ(settings.certificate, "c.pem");
   EXPECT_EQ(settings.key, "k.pem");
@@ -66,6 +68,8 @@ TEST(WebParameters, AreThoseOfLaunchsServer) {
 TEST(WebParameters, SayWhatCantBeUsed) {
   for (const auto& [name, text] : {std::pair{"origin", "app.example"},
                                    {"writing_origin", "https://a.example/page"},
+                                   {"framing_origin", "*"},
+                                   {"framing_origin", "http://a.example;script-src"},
                                    {"key", "k.pem"},
                                    {"certificate", "c.pem"}}) {
     EXPECT_THROW(read({element(name, text)}), Error) << name;
