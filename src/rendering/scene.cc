@@ -164,7 +164,9 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
     prototype.link = slot;
     prototype.model = entities.models()[link.model].id;
     const SeenVisual seen = seenOf(entities, link);
-    for (const description::Visual& visual : link.description->visuals) {
+    for (std::size_t i = 0; i < link.description->visuals.size(); ++i) {
+      const description::Visual& visual = link.description->visuals[i];
+      prototype.id = world::visualId(link, i);
       visuals_.push_back(seen);
       addVisual(visual, prototype, "visual '" + visual.name + "' of link '" + link.description->name + "'",
                 diagnostics);
@@ -205,6 +207,8 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     for (std::size_t map = 0; map < kMapCount; ++map) item.pictures[map] = pictureOf(item.paint.maps[map], warn);
     // a map alone sets the emission, as in Fortress
     if (item.pictures[kGlowMap] != nullptr && item.paint.emissive.isZero()) item.paint.emissive.setOnes();
+    item.fileDiffuse = item.paint.diffuse;
+    item.fileAmbient = item.paint.ambient;
     item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
     item.scale = body.scale;
     item.bounds = body.surface->bounds();
@@ -233,6 +237,17 @@ std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& he
   if (heat->signature.empty()) return Warmth{heat->temperature, heat->temperature, nullptr};
   const double coldest = heat->coldest.value_or(airTemperature_), hottest = heat->hottest.value_or(airTemperature_);
   return Warmth{std::min(coldest, hottest), std::max(coldest, hottest), pictureOf(heat->signature, warn)};
+}
+
+void Scene::paint(const std::map<VisualId, Vector3>& colors) {
+  if (colors.empty() && !isPainted_) return;
+  isPainted_ = !colors.empty();
+  for (Item& item : items_) {
+    const auto found = colors.find(item.id);
+    const bool isPainted = found != colors.end();
+    item.paint.diffuse = isPainted ? Eigen::Vector3f(found->second.cast<float>()) : item.fileDiffuse;
+    item.paint.ambient = isPainted ? item.paint.diffuse : item.fileAmbient;
+  }
 }
 
 void Scene::update(const world::Entities& entities, const world::State& state) {

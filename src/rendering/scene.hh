@@ -49,6 +49,10 @@ struct Item {
   const description::Actor* actor = nullptr;
   /// The visual's name.
   std::string visual;
+  /// Unset for one of an actor.
+  VisualId id;
+  /// Of the file, if the paint has others.
+  Eigen::Vector3f fileDiffuse, fileAmbient;
   Pose X_LinkSurface;
   /// Along the axes of the surface, before rotation.
   Vector3 scale = Vector3::Ones();
@@ -97,6 +101,10 @@ class Scene {
   /// @param diagnostics Warnings about files that can't be read, each given once in the scene's lifetime.
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics);
 
+  /// Gives visuals other colours, and all others those of the file again.
+  /// @param colors Red, green, blue, 0 to 1.
+  void paint(const std::map<VisualId, Vector3>& colors);
+
   /// Updates the poses of what has moved, and the lights.
   /// @param state Of the same entities.
   void update(const world::Entities& entities, const world::State& state);
@@ -133,6 +141,7 @@ class Scene {
   std::optional<Vector3> background_;
   std::optional<Vector3> ambient_;
   std::uint64_t version_ = 0;
+  bool isPainted_ = false;
   /// Keyed by what they show.
   std::map<std::string, std::shared_ptr<const Surface>> shapes_;
   MeshLooks meshes_;

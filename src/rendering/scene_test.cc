@@ -211,6 +211,25 @@ TEST_F(Pictures, ShowWhereThingsHaveMovedTo) {
   EXPECT_NEAR(world.depths(view(9, 9, 9))[40], 6.5, 1e-5);
 }
 
+TEST_F(Pictures, ShowVisualsInTheirPresentColors) {
+  DrawnWorld world;
+  for (const double y : {-1.0, 1.0}) {
+    description::Visual& visual = world.addShining(description::Box{{1, 1, 1}}, {5, y, 0}, {});
+    visual.material->diffuse = {0.5F, 0.25F, 0, 1};
+    visual.material->ambient = {0, 0, 0.25F, 1};
+  }
+  world.start();
+  const auto paintOf = [&](std::size_t item) -> const Paint& { return world.scene().items()[item].paint; };
+  const Eigen::Vector3f diffuse = paintOf(0).diffuse, ambient = paintOf(0).ambient, color(0, 1, 0.5F);
+  world.paint({{world.scene().items()[1].id, {0, 1, 0.5}}});
+  EXPECT_EQ(paintOf(1).diffuse, color);
+  EXPECT_EQ(paintOf(1).ambient, color);
+  EXPECT_EQ(paintOf(0).diffuse, diffuse);
+  world.paint({});
+  EXPECT_EQ(paintOf(1).diffuse, diffuse);
+  EXPECT_EQ(paintOf(1).ambient, ambient);
+}
+
 TEST_F(Pictures, TellThatTheirEdgeIsTooLong) {
   DrawnWorld world;
   world.start();

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -79,6 +80,8 @@ class Access {
     hasChanged = true;
     ++changes;
   }
+  /// Colours of visuals that were changed: red, green, blue.
+  std::map<VisualId, Vector3> colors = {};
   /// For each name N, the number of names N_0, N_1, ... known to be taken; valid until an entity is removed.
   struct TakenNames {
     std::uint64_t removals = 0;

@@ -84,6 +84,14 @@ Outcome<void> PhysicalProperties::setResistance(const Joint& joint, const char* 
   return {};
 }
 
+Outcome<void> PhysicalProperties::setColor(VisualId visual, const Vector3& color) {
+  for (const double share : color) {
+    if (auto checked = checkRange("a colour", share, 0, 1); !checked) return checked;
+  }
+  access_->colors[visual] = color;
+  return {};
+}
+
 Outcome<void> PhysicalProperties::setDamping(const Joint& joint, double damping, int axis) {
   return setResistance(joint, kDamping, damping, axis);
 }

@@ -339,6 +339,7 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   // what was sent before belongs to the time before
   parts_->transport.discard();
   sim::Editor(parts_->access).reset();
+  parts_->access.colors.clear();
   parts_->access.levels.start();
   parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
@@ -370,6 +371,10 @@ World Simulation::world() { return World(parts_->access); }
 
 bool Simulation::addSystem(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
   return parts_->systems.add(std::move(name), std::move(system), diagnostics);
+}
+
+bool Simulation::addWatcher(const Element& plugin, Diagnostics& diagnostics) {
+  return parts_->systems.addWatcher(plugin, diagnostics);
 }
 
 std::vector<SensorReadings> Simulation::readings(std::string_view sensorType) const {

@@ -42,6 +42,7 @@ void CameraScene::update() {
     rebuild(none);
   }
   content_->scene.update(content_->access.entities, content_->access.state);
+  content_->scene.paint(content_->access.colors);
 }
 
 void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {

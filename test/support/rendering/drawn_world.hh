@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -73,6 +74,8 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     state().links[model].X_WorldLink.position = position;
     scene_.update(entities(), state());
   }
+
+  void paint(const std::map<VisualId, Vector3>& colors) { scene_.paint(colors); }
 
   const Scene& scene() const { return scene_; }
 
