@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dynamics_binding.hh"
 #include "core/errors.hh"
 #include "core/properties.hh"
 #include "core/values.hh"
@@ -241,6 +242,7 @@ void bindHandles(py::module_& module) {
   bindLink(link);
   bindJoint(joint);
   bindCollision(collision);
+  bindDynamics(model, link);
 }
 
 }  // namespace pongsim::python

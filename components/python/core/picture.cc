@@ -26,34 +26,22 @@ constexpr double kNearest = 0.01;
 /// Renders the current state of a world, without changing it.
 class Painter final : public Life::Pending {
  public:
-  Painter(std::shared_ptr<Life> life, std::uint32_t width, std::uint32_t height, double fieldOfView)
-      : life_(std::move(life)) {
-    if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge) {
-      throw py::value_error("a picture must be 1 to " + std::to_string(kLargestEdge) + " pixels wide and high");
-    }
-    if (!(fieldOfView > 0 && fieldOfView < 3.1))
-      throw py::value_error("a field of view must be above 0 and below 3.1 rad");
-    view_.width = width;
-    view_.height = height;
-    view_.fx = view_.fy = width / (2 * std::tan(fieldOfView / 2));
-    view_.cx = width / 2.0;
-    view_.cy = height / 2.0;
-    view_.near = kNearest;
-    view_.far = INFINITY;
-    scene_ = std::make_unique<CameraScene>(life_->use().world());
-  }
+  explicit Painter(std::shared_ptr<Life> life)
+      : life_(std::move(life)), scene_(std::make_unique<CameraScene>(life_->use().world())) {}
 
   void letGo() override { scene_.reset(); }
 
   /// @return Red, green, blue of each pixel, row by row from the top.
-  std::shared_ptr<Memory> draw(py::handle frame, py::handle eye) {
+  std::shared_ptr<Memory> draw(py::handle frame, py::handle eye, std::uint32_t width, std::uint32_t height,
+                               double fieldOfView) {
     Simulation& simulation = life_->edit("drawing");
-    view_.X_WorldEye = poseFrom(frame) * poseFrom(eye);
-    auto pixels = std::make_shared<Memory>(std::size_t{3} * view_.width * view_.height);
+    PictureView view = viewOf(width, height, fieldOfView);
+    view.X_WorldEye = poseFrom(frame) * poseFrom(eye);
+    auto pixels = std::make_shared<Memory>(std::size_t{3} * width * height, true);
     Diagnostics diagnostics;
     life_->stepping([&] {
       lookAround(simulation, diagnostics);
-      scene_->drawColors(view_, {reinterpret_cast<std::uint8_t*>(pixels->bytes.data()), pixels->bytes.size()});
+      scene_->drawColors(view, {reinterpret_cast<std::uint8_t*>(pixels->bytes.data()), pixels->bytes.size()});
     });
     warnOf(diagnostics.all());
     return pixels;
@@ -71,6 +59,23 @@ class Painter final : public Life::Pending {
   }
 
  private:
+  static PictureView viewOf(std::uint32_t width, std::uint32_t height, double fieldOfView) {
+    if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge) {
+      throw py::value_error("a picture must be 1 to " + std::to_string(kLargestEdge) + " pixels wide and high");
+    }
+    if (!(fieldOfView > 0 && fieldOfView < 3.1))
+      throw py::value_error("a field of view must be above 0 and below 3.1 rad");
+    PictureView view;
+    view.width = width;
+    view.height = height;
+    view.fx = view.fy = width / (2 * std::tan(fieldOfView / 2));
+    view.cx = width / 2.0;
+    view.cy = height / 2.0;
+    view.near = kNearest;
+    view.far = INFINITY;
+    return view;
+  }
+
   /// Updates the visuals if models were inserted or removed, and their poses.
   void lookAround(Simulation& simulation, Diagnostics& diagnostics) {
     std::vector<ModelId> models;
@@ -83,11 +88,10 @@ class Painter final : public Life::Pending {
   std::shared_ptr<Life> life_;
   std::unique_ptr<CameraScene> scene_;
   std::optional<std::vector<ModelId>> models_;
-  PictureView view_;
 };
 
-std::shared_ptr<Painter> make(const Owner& simulation, std::uint32_t width, std::uint32_t height, double fieldOfView) {
-  auto painter = std::make_shared<Painter>(simulation.life, width, height, fieldOfView);
+std::shared_ptr<Painter> make(const Owner& simulation) {
+  auto painter = std::make_shared<Painter>(simulation.life);
   simulation.life->tell(painter);
   return painter;
 }
@@ -107,11 +111,13 @@ py::tuple lensOf(PySensor& sensor) {
 void bindPictures(py::module_& module) {
   py::class_<Painter, std::shared_ptr<Painter>>(
       module, "Painter", "Renders a world from any pose, without a camera in it. Changes nothing.")
-      .def(py::init(&make), py::arg("simulation"), py::arg("width"), py::arg("height"), py::arg("field_of_view"))
-      .def("draw", &Painter::draw, py::arg("frame"), py::arg("eye"),
+      .def(py::init(&make), py::arg("simulation"))
+      .def("draw", &Painter::draw, py::arg("frame"), py::arg("eye"), py::arg("width"), py::arg("height"),
+           py::arg("field_of_view"),
            "Red, green, blue of each pixel (8 bits each), row by row from the top.\n\n"
            "frame: pose of a frame in the world frame.\n"
-           "eye: pose of the camera in that frame; it looks along its x axis with z up.")
+           "eye: pose of the camera in that frame; it looks along its x axis with z up.\n"
+           "width, height: [pixels]; field_of_view: horizontal [rad].")
       .def("bounds", &Painter::bounds, "Bounding box of everything visible: its minimum and maximum, world frame [m].");
   module.def("lens", &lensOf, py::arg("sensor"),
              "Of a camera: width and height [pixels], horizontal field of view [rad], and its pose in the "

@@ -48,10 +48,16 @@ void bindPool(py::module_& module) {
               const std::vector<std::string>& paths) {
              self.addSteering(world, messageSteering(lifeOf(simulation), topic, type, paths));
            })
-      .def("steer_velocity", [](Pool& self, std::size_t world,
-                                PyJoint& joint) { self.addSteering(world, velocitySteering(joint)); })
+      .def("steer_velocity",
+           [](Pool& self, std::size_t world, PyJoint& joint) { self.addSteering(world, velocitySteering(joint)); })
       .def("steer_force",
            [](Pool& self, std::size_t world, PyJoint& joint) { self.addSteering(world, forceSteering(joint)); })
+      .def("steer_position",
+           [](Pool& self, std::size_t world, PyJoint& joint) {
+             auto gains = std::make_shared<Memory>(2 * sizeof(double), true);
+             self.addSteering(world, positionSteering(joint, gains));
+             return gains;
+           })
       .def("limit_action", &Pool::limitAction)
       .def("observe", &Pool::observe)
       .def("seal", &Pool::seal)

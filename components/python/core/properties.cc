@@ -150,6 +150,29 @@ void bindProperties(py::class_<PyLink>& link) {
           },
           py::arg("name"), "The collision with that name. Raises KeyError.")
       .def_property_readonly(
+          "visual_names",
+          [](PyLink& self) {
+            std::vector<std::string> names;
+            for (const Visual& each : self.use().visuals()) names.push_back(each.name());
+            return names;
+          },
+          "The names of its visuals, in the order of the file.")
+      .def(
+          "set_color",
+          [](PyLink& self, const std::string& visual, py::handle color) {
+            PhysicalProperties changes = properties(self.life);
+            for (const Visual& each : self.use().visuals()) {
+              if (each.name() == visual) return checkOutcome(changes.setColor(each.id(), vectorOf(color, "a colour")));
+            }
+            throw py::key_error("link '" + self.inner.scopedName() + "' has no visual '" + visual + "'");
+          },
+          py::arg("visual"), py::arg("color"),
+          "Changes the colour in which cameras and `Simulation.render` see a visual, until the world is reset; its "
+          "textures "
+          "are tinted with it. It is no part of saved states, and the page in a browser keeps that of the file. Raises "
+          "KeyError and Refused.\n\n"
+          "color: red, green, blue, 0 to 1, like `<diffuse>`.")
+      .def_property_readonly(
           "sensor_names",
           [](PyLink& self) {
             std::vector<std::string> names;

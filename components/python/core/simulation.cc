@@ -25,7 +25,9 @@
 #include "core/surroundings.hh"
 #include "core/topics.hh"
 #include "core/values.hh"
+#include "pongsim/message.hh"
 #include "pongsim/program/nearest_word.hh"
+#include "pongsim/scene.hh"
 
 namespace pongsim::python {
 
@@ -243,6 +245,41 @@ void addSystem(Owner& owner, const std::string& name, py::object system) {
   }
 }
 
+/// Adds the lights in a message of a scene, a model or a link.
+void addLights(const py::dict& from, const std::string& prefix, py::dict& lights) {
+  const auto each = [&](const char* field, auto use) {
+    if (!from.contains(field)) return;
+    for (const py::handle part : from[field]) use(part.cast<py::dict>());
+  };
+  const auto nameOf = [&](const py::dict& part) { return prefix + part["name"].cast<std::string>(); };
+  each("light", [&](const py::dict& light) { lights[py::str(nameOf(light))] = light; });
+  for (const char* field : {"link", "model"}) {
+    each(field, [&](const py::dict& part) { addLights(part, nameOf(part) + "::", lights); });
+  }
+}
+
+py::dict lightsIn(const py::dict& scene) {
+  py::dict lights;
+  addLights(scene, "", lights);
+  return lights;
+}
+
+void addWatcher(Owner& owner, const std::string& filename, const std::string& name,
+                const std::vector<std::pair<std::string, std::string>>& parameters) {
+  Simulation& simulation = owner.life->edit("adding a system");
+  Element plugin;
+  plugin.name = "plugin";
+  plugin.attributes = {{"filename", filename, {}}, {"name", name, {}}};
+  for (const auto& [parameter, text] : parameters) {
+    Element& child = plugin.children.emplace_back();
+    child.name = parameter;
+    child.text = text;
+  }
+  Diagnostics diagnostics;
+  if (simulation.addWatcher(plugin, diagnostics)) return warnOf(diagnostics.all());
+  raise("SystemFailed", diagnostics.all().front().message);
+}
+
 Owner* ownerIn(PyObject* self) {
   auto* instance = reinterpret_cast<py::detail::instance*>(self);
   return static_cast<Owner*>(instance->get_value_and_holder().value_ptr());
@@ -396,6 +433,28 @@ void bindContent(py::class_<Owner>& simulation) {
       .def("_joint_states", &jointStates)
       .def("_find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })
       .def("_add_system", &addSystem, py::arg("name"), py::arg("system"))
+      .def(
+          "lights",
+          [](Owner& self) {
+            const MessagePointer scene = newMessage("ignition.msgs.Scene");
+            Scene(self.life->use().world()).fillIn(*scene);
+            return lightsIn(dictOf(*scene));
+          },
+          "The lights of the world and of links, by their names (\"sun\", \"model::link::lamp\"): dicts of the fields "
+          "of "
+          "`ignition.msgs.Light`, for `change_light`.")
+      .def(
+          "change_light",
+          [](Owner& self, py::handle light) {
+            const MessagePointer message = newMessage("ignition.msgs.Light");
+            fillIn(*message, light);
+            checkOutcome(self.life->edit("a change of a light").changeLight(*message));
+          },
+          py::arg("light"),
+          "Changes a light, for cameras and `render`, until the world is reset: a dict of `lights` with other values. "
+          "Raises "
+          "ValueError, TypeError and Refused.")
+      .def("_add_watcher", &addWatcher, py::arg("filename"), py::arg("name"), py::arg("parameters"))
       .def("_open_subscription",
            [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
              return PythonSubscription::open(self.life, topic, std::move(callback), std::move(type), length);

@@ -2,6 +2,8 @@
 
 #include <google/protobuf/message.h>
 
+#include <array>
+#include <cstring>
 #include <utility>
 
 #include "core/errors.hh"
@@ -46,6 +48,19 @@ Steering velocitySteering(PyJoint& joint) {
   return {.size = 1,
           .apply = [joint = joint.use()](const double* number) mutable { joint.setVelocityTarget(*number); },
           .isForEachStep = false};
+}
+
+Steering positionSteering(PyJoint& joint, std::shared_ptr<Memory> gains) {
+  checkAxis(joint.use());
+  return {.size = 1,
+          .apply =
+              [joint = joint.use(), gains = std::move(gains)](const double* target) mutable {
+                std::array<double, 2> now{};
+                std::memcpy(now.data(), gains->bytes.data(), sizeof now);
+                const auto [stiffness, damping] = now;
+                joint.addForce(stiffness * (*target - joint.position()) - damping * joint.velocity());
+              },
+          .isForEachStep = true};
 }
 
 Steering forceSteering(PyJoint& joint) {

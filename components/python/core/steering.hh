@@ -8,6 +8,7 @@
 
 #include "core/handles.hh"
 #include "core/life.hh"
+#include "core/memory.hh"
 
 namespace pongsim::python {
 
@@ -26,6 +27,10 @@ Steering messageSteering(const std::shared_ptr<Life>& life, const std::string& t
                          const std::vector<std::string>& paths);
 /// @return A steering that drives the first axis of a joint at a velocity [rad/s or m/s].
 Steering velocitySteering(PyJoint& joint);
+/// @return A steering that moves the axis to a position [rad or m] by the force stiffness (position - present) -
+/// damping velocity, computed before each physics step.
+/// @param gains Stiffness and damping, two doubles that may change.
+Steering positionSteering(PyJoint& joint, std::shared_ptr<Memory> gains);
 /// @return A steering that applies a force along that axis [N m or N].
 Steering forceSteering(PyJoint& joint);
 

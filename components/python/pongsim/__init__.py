@@ -27,6 +27,7 @@ from .simulation import Simulation
 from .state import Layout
 from .system import System
 from .values import Contacts, JointAxis, Pose, RayHit, RayHits
+from .viewing import View
 
 __all__ = [
     "Busy",
@@ -53,6 +54,7 @@ __all__ = [
     "Subscription",
     "System",
     "SystemFailed",
+    "View",
     "WorldWarning",
     "__version__",
     "message_types",

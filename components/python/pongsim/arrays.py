@@ -15,3 +15,8 @@ def view(memory: Memory, kind: str, shape: tuple[int, ...]) -> NDArray[Any]:
     NumPy's type: "f8"."""
     array: NDArray[Any] = np.frombuffer(memoryview(memory), np.dtype(kind)).reshape(shape)
     return array
+
+
+def matrix(memory: Memory, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Returns an array of doubles that refers to the memory. Called from C++."""
+    return view(memory, "f8", shape)

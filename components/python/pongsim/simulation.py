@@ -15,10 +15,12 @@ from . import _core
 from .arrays import view
 from .errors import WorldWarning
 from .names import closest
+from .pictures import Eye
 from .sensor import Sensor
 from .state import Layout, layout_of, models_of, numbers
 from .system import System
 from .values import Contacts, Pose, RayHit, RayHits
+from .viewing import View, show
 from .worlds import find
 
 #: The attributes that can be assigned.
@@ -84,6 +86,11 @@ class Simulation(_core.Simulation):
             found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file),
         )
         self._systems: list[System] = []
+        #: Stiffness and damping of the joints that an environment moves to positions, by their names.
+        self._gains: dict[str, NDArray[np.float64]] = {}
+        #: Made by the first image.
+        self._painter: _core.Painter | None = None
+        self._view: View | None = None
         #: What `insert` and `remove` have done since the start.
         self._edits: list[_Edit] = []
         for diagnostic in self.diagnostics:
@@ -316,6 +323,40 @@ class Simulation(_core.Simulation):
         with np.errstate(invalid="ignore"):
             points = begin + along * (distances / np.linalg.norm(along, axis=1))[:, None]
         return RayHits(distances, points, links)
+
+    def render(
+        self,
+        camera: str | Pose | Sequence[float] | None = None,
+        size: tuple[int, int] | None = None,
+        *,
+        field_of_view: float | None = None,
+    ) -> NDArray[np.uint8]:
+        """Draws the world as it is now, without a display or a graphics card: a new array of rows x columns x red, green,
+        blue from 0 to 255. Nothing in the world changes.
+
+        camera: a camera of the world, by its scoped name or its own, without its noise and distortion; or a pose in the
+            world frame, looking along its x axis with z up: a Pose, x y z, or x y z roll pitch yaw [m, rad]; None: from
+            the side and above, with everything in view.
+        size: width and height [pixels]; None: the camera's, else 320 x 240.
+        field_of_view: horizontal [rad]; None: the camera's, else 1.05.
+        Raises KeyError for an unknown camera, ValueError for another sensor, and RuntimeError if OSMesa is not installed.
+        """
+        return Eye(self, camera, size, field_of_view).draw()
+
+    def view(self, *, port: int = 0, read_only: bool = False, browser: bool | None = None) -> View:
+        """Opens the world in a browser, and returns the page's `View`, which a notebook shows inline.
+
+        The page shows each step that this program makes; `View.run` makes them at the pace of the clock. The world is not
+        changed, states that were saved before can be restored, and only this machine reaches the page.
+
+        port: 0: any free one.
+        read_only: the page can't change anything.
+        browser: open one; None: not in a notebook.
+        Raises SystemFailed if the port is taken, and without the package pongsim-web.
+        """
+        if self._view is None:
+            self._view = show(self, port, read_only, browser)
+        return self._view
 
     def poses(self) -> NDArray[np.float64]:
         """Poses of all models in the world frame, in the order of `model_names`: a new array of n x 7, of x, y, z [m] and

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from conftest import COURT
 from test_gym import NOISY, rail
+from test_observations import EYED
+from test_seeing import SCENE
 
 import pongsim
 import pongsim.gym as gym
@@ -101,7 +103,67 @@ def test_everything_of_a_robot():
     env.close()
 
 
+def look(env):
+    return env.simulation.render("eye").reshape(-1, 3).astype(float)
+
+
+def test_colours_and_lights_are_seen():
+    task = rail(world=EYED, observation={"rail": gym.Joint("cart::rail")}, randomise=[
+        gym.Randomise("color", "floor::*", 0.0, 1.0, relative=False)])
+    env = gym.Env(task)
+    seen = []
+    for seed in (1, 2, 1):
+        env.reset(seed=seed)
+        seen.append(look(env))
+    assert np.array_equal(seen[0], seen[2]) and not np.array_equal(seen[0], seen[1])
+    # as if the file had these colours
+    drawn = np.random.Generator(np.random.PCG64(np.random.SeedSequence(1))).uniform(0, 1, 3)
+    color = " ".join(repr(each) for each in drawn.tolist())
+    same = gym.Env(rail(world=EYED.replace(
+        "<ambient>0 1 0 1</ambient>", f"<ambient>{color} 1</ambient><diffuse>{color} 1</diffuse>"),
+        observation={"rail": gym.Joint("cart::rail")}))
+    same.reset(seed=1)
+    assert np.array_equal(look(same), seen[0])
+    same.close()
+    # a reset of the world brings the file's colours back
+    env.simulation.reset()
+    assert look(env)[0].argmax() == 1
+    env.close()
+    lit = SCENE.replace("<ambient>1 1 1 1</ambient>", "<ambient>0 0 0 1</ambient>").replace(
+        "<model", "<light name='sun' type='directional'><direction>0 0 -1</direction><diffuse>1 1 1 1</diffuse></light><model", 1
+    ).replace("<ambient>0 1 0 1</ambient>", "<diffuse>0 1 0 1</diffuse>")
+    with pongsim.Simulation(lit) as sim:
+        bright = sim.render("eye").sum()
+        (name, sun), = sim.lights().items()
+        assert name == "sun" and sun["intensity"] == 1
+        sim.change_light({**sun, "intensity": 0.2})
+        dark = sim.render("eye").sum()
+        assert dark < 0.8 * bright and sim.lights()["sun"]["intensity"] == pytest.approx(0.2)
+        with pytest.raises(pongsim.Refused, match="moon"):
+            sim.change_light({**sun, "name": "moon", "id": 0})
+        sim.reset()
+        assert sim.render("eye").sum() == bright
+        draw = gym.Randomise("light_intensity", "s*", 0.2, 0.2).attach(sim)
+        draw(np.random.default_rng(1))
+        assert sim.render("eye").sum() == dark
+
+
+def test_a_colour_is_checked():
+    with pongsim.Simulation(SCENE) as sim:
+        link = sim.model("floor").links[0]
+        assert link.visual_names == ["v"]
+        before = sim.render("eye")
+        with pytest.raises(KeyError, match="no visual 'w'"):
+            link.set_color("w", (0, 0, 0))
+        for wrong in ((0, 0, 2), (-1, 0, 0)):
+            with pytest.raises(pongsim.Refused, match="a colour must be 0 to 1"):
+                link.set_color("v", wrong)
+        assert np.array_equal(sim.render("eye"), before)
+
+
 def test_mistakes_are_told_of():
+    with pytest.raises(ValueError, match="relative=False"):
+        gym.Randomise("color", "a", 0, 1)
     with pytest.raises(ValueError, match="'mas' can't be drawn; did you mean 'mass'"):
         gym.Randomise("mas", "a", 0, 1)
     for low, high in ((2, 1), (-1, 1), (0, np.inf), (np.nan, 1)):

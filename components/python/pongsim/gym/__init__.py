@@ -19,9 +19,23 @@ except ImportError as missing:
     ) from missing
 
 from .env import Env
-from .parts import Command, Fields, Joint, JointForce, JointVelocity, Pose, Ranges, Reading, Steering, Velocity
+from .parts import (
+    Camera,
+    Command,
+    Fields,
+    Image,
+    Joint,
+    JointForce,
+    JointPosition,
+    JointVelocity,
+    Pose,
+    Ranges,
+    Reading,
+    Steering,
+    Velocity,
+)
 from .randomise import Randomise
-from .task import Camera, Moment, Task, TaskError
+from .task import Moment, Task, TaskError
 from .vector_env import VectorEnv
 from .wall_avoid import wall_avoid
 
@@ -31,8 +45,10 @@ __all__ = [
     "Command",
     "Env",
     "Fields",
+    "Image",
     "Joint",
     "JointForce",
+    "JointPosition",
     "JointVelocity",
     "Moment",
     "Pose",

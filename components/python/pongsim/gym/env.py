@@ -17,7 +17,7 @@ from .worlds import Worlds
 _RENDER_MODES = (None, "rgb_array")
 
 
-class Env(gymnasium.Env[NDArray[Any], Any]):
+class Env(gymnasium.Env[Any, Any]):
     """One world of a task.
 
     A reset restores a saved state, which costs a fraction of loading the world. A seed passed to `reset` also seeds the
@@ -55,7 +55,7 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[NDArray[Any], dict[str, Any]]:
+    ) -> tuple[Any, dict[str, Any]]:
         """Begins an episode.
 
         seed: seed of the environment's random numbers, and of all those of the world in this episode.
@@ -68,9 +68,9 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         self._has_begun = False
         self._worlds.begin(np.ones(1, np.bool_), [seed], [self.np_random])
         self._has_begun = True
-        return self._worlds.observations[0].copy(), {}
+        return self._worlds.observations.row(0), {}
 
-    def step(self, action: Any) -> tuple[NDArray[Any], float, bool, bool, dict[str, Any]]:
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Takes a step of the task's `step_time`.
 
         action: from the action space; numbers beyond its limits are clamped.
@@ -90,7 +90,7 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         self._has_begun = False
         rewards, terminated, truncated = self._worlds.step(action[None])
         self._has_begun = not (terminated.item() or truncated.item())
-        return self._worlds.observations[0].copy(), rewards.item(), terminated.item(), truncated.item(), {}
+        return self._worlds.observations.row(0), rewards.item(), terminated.item(), truncated.item(), {}
 
     def render(self) -> NDArray[np.uint8] | None:
         """An image of the current world: rows x columns x red, green, blue. None without a `render_mode`."""

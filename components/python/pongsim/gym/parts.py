@@ -4,11 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Mapping
+from typing import TYPE_CHECKING, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arrays import view
+from ..pictures import FIELD_OF_VIEW, SIZE
 
 if TYPE_CHECKING:
     from .._core import Joint as CoreJoint
     from .._core import Pool
+    from .. import values
     from ..simulation import Simulation
 
 #: The smallest and the largest value of a number.
@@ -109,6 +116,31 @@ class Fields(Reading):
 
 
 @dataclass(frozen=True)
+class Camera:
+    """A viewpoint for images. It is not a sensor and does not affect the world."""
+
+    #: Pose of the viewpoint in the world frame, looking along its x axis with z up; None: from the side and above, with
+    #: everything in view.
+    pose: values.Pose | Sequence[float] | None = None
+    #: [pixels]
+    width: int = SIZE[0]
+    height: int = SIZE[1]
+    #: Horizontal field of view [rad].
+    field_of_view: float = FIELD_OF_VIEW
+
+
+@dataclass(frozen=True)
+class Image:
+    """What a camera sees after each step of an environment: rows x columns x red, green, blue, 0 to 255. It is drawn when
+    it is observed, one world after the other, without the camera's noise, distortion and rate."""
+
+    #: A camera of the world, by its scoped name or its own, or any viewpoint.
+    camera: str | Camera
+    #: Width and height [pixels]; None: the camera's.
+    size: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
 class Command(Steering):
     """A message published at the start of each step of the environment: `Command("/cmd_vel", {"linear.x": (0, 1),
     "angular.z": (-1, 1)})`."""
@@ -139,6 +171,35 @@ class JointVelocity(Steering):
         """See `Steering.attach`."""
         pool.steer_velocity(world, _joint(simulation, self.joint))
         return [_checked((self.low, self.high), f"joint '{self.joint}'", finite=True)]
+
+
+@dataclass(frozen=True)
+class JointPosition(Steering):
+    """Moves a joint's first axis to a position [rad or m] by the force stiffness (position - present position) - damping
+    velocity, computed before each physics step and limited by the joint's effort. Steps of length h follow it smoothly
+    where damping h and stiffness h^2 are well below the inertia that the joint moves."""
+
+    #: "model::joint".
+    joint: str
+    #: Range of the position; None: the limits of the joint.
+    low: float | None = None
+    high: float | None = None
+    #: [N m/rad or N/m]
+    stiffness: float = field(kw_only=True)
+    #: [N m s/rad or N s/m]
+    damping: float = field(kw_only=True)
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """See `Steering.attach`."""
+        if not all(math.isfinite(each) and each >= 0 for each in (self.stiffness, self.damping)):
+            raise ValueError(f"stiffness and damping of joint '{self.joint}' must be 0 or more and finite")
+        joint = _joint(simulation, self.joint)
+        gains = view(pool.steer_position(world, joint), "f8", (2,))
+        gains[:] = self.stiffness, self.damping
+        simulation._gains[self.joint] = gains
+        own = joint.axis()
+        limits = own.lower if self.low is None else self.low, own.upper if self.high is None else self.high
+        return [_checked(limits, f"joint '{self.joint}'", finite=True)]
 
 
 @dataclass(frozen=True)

@@ -5,21 +5,25 @@ from __future__ import annotations
 import fnmatch
 import math
 from dataclasses import dataclass
-from typing import Callable, Iterator, Literal
+from typing import Any, Callable, Iterator, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import _core
 from ..names import closest
 from ..simulation import Simulation
 
 #: What can be drawn.
-Property = Literal["mass", "inertia", "friction", "restitution", "damping", "joint_friction"]
+Property = Literal[
+    "mass", "inertia", "friction", "restitution", "damping", "joint_friction", "servo_stiffness", "servo_damping", "color",
+    "light_intensity",
+]
 
 
 @dataclass(frozen=True)
 class Randomise:
-    """Draws a property of some links, collisions or joints at each reset, uniformly between two numbers: `Randomise("mass",
+    """Draws a property of some parts of the world at each reset, uniformly between two numbers: `Randomise("mass",
     "robot::*", 0.8, 1.2)`. The world is not loaded again.
 
     The draws come from the environment's random numbers, in the order of the task and of the world, before its `start`.
@@ -27,9 +31,11 @@ class Randomise:
     """
 
     #: "mass" of links, with which their inertia grows; "inertia" of links, as multiples of the file's; "friction" and
-    #: "restitution" of collisions; "damping" and "joint_friction" of the first axis of joints.
+    #: "restitution" of collisions; "damping" and "joint_friction" of the first axis of joints; "servo_stiffness" and
+    #: "servo_damping" of a `JointPosition`; "color" of visuals, of which red, green and blue are each drawn; and
+    #: "light_intensity".
     what: Property
-    #: Scoped name of the link, collision or joint, with "*" and "?" for several: "robot::wheel_*".
+    #: Scoped name of the link, collision, joint, visual or light, with "*" and "?" for several: "robot::wheel_*".
     name: str
     low: float
     high: float
@@ -44,6 +50,8 @@ class Randomise:
         if not (math.isfinite(self.low) and math.isfinite(self.high) and 0 <= self.low <= self.high):
             raise ValueError(f"{self.what} must be drawn between two finite numbers, 0 or more and the lesser first, not "
                              f"{self.low} and {self.high}")
+        if self.what == "color" and (self.relative or self.high > 1):
+            raise ValueError("a color is drawn between two numbers from 0 to 1, with relative=False")
 
     def attach(self, simulation: Simulation) -> Callable[[np.random.Generator], None]:
         """Returns a function that draws and sets the property in a world, which is as its file says now. Raises KeyError if
@@ -57,6 +65,11 @@ class Randomise:
 
         def draw(random: np.random.Generator) -> None:
             count = 1 if self.together else len(found)
+            if self.what == "color":
+                colors = np.broadcast_to(random.uniform(self.low, self.high, (count, 3)), (len(found), 3))
+                for part, color in zip(found, colors.tolist()):
+                    put(part, color)
+                return
             factors = np.broadcast_to(random.uniform(self.low, self.high, count), len(found))
             for part, base, factor in zip(found, bases, factors.tolist()):
                 put(part, base * factor)
@@ -82,6 +95,25 @@ def _joints(simulation: Simulation) -> Iterator[tuple[str, _core.Joint]]:
         yield from ((f"{name}::{joint.name}", joint) for joint in simulation.model(name).joints if joint.axis_count)
 
 
+def _visuals(simulation: Simulation) -> Iterator[tuple[str, tuple[_core.Link, str]]]:
+    for name in simulation.model_names:
+        for link in simulation.model(name).links:
+            yield from ((f"{link.scoped_name}::{visual}", (link, visual)) for visual in link.visual_names)
+
+
+def _lights(simulation: Simulation) -> Iterator[tuple[str, tuple[Simulation, dict[str, Any]]]]:
+    yield from ((name, (simulation, light)) for name, light in simulation.lights().items())
+
+
+def _set_intensity(part: tuple[Simulation, dict[str, Any]], intensity: float) -> None:
+    simulation, light = part
+    simulation.change_light({**light, "intensity": intensity})
+
+
+def _gains(simulation: Simulation) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    yield from simulation._gains.items()
+
+
 def _set_friction(collision: _core.Collision, friction: float) -> None:
     # a second coefficient keeps its ratio to the first
     first, second = collision.friction
@@ -96,4 +128,8 @@ _KINDS: dict[str, tuple[Callable[..., Iterator[tuple[str, object]]], Callable[..
     "restitution": (_collisions, lambda collision: collision.restitution, lambda collision, e: collision.set_restitution(e)),
     "damping": (_joints, lambda joint: joint.axis().damping, lambda joint, damping: joint.set_damping(damping)),
     "joint_friction": (_joints, lambda joint: joint.axis().friction, lambda joint, friction: joint.set_friction(friction)),
+    "servo_stiffness": (_gains, lambda gains: float(gains[0]), lambda gains, number: gains.__setitem__(0, number)),
+    "servo_damping": (_gains, lambda gains: float(gains[1]), lambda gains, number: gains.__setitem__(1, number)),
+    "color": (_visuals, lambda part: 1.0, lambda part, color: part[0].set_color(part[1], color)),
+    "light_intensity": (_lights, lambda part: float(part[1]["intensity"]), _set_intensity),
 }

@@ -11,10 +11,9 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import ArrayLike, NDArray
 
-from .. import values
 from ..errors import Error
 from ..simulation import Simulation
-from .parts import Reading, Steering
+from .parts import Camera, Image, Reading, Steering
 from .randomise import Randomise
 
 
@@ -69,20 +68,6 @@ class Moment:
         return time
 
 
-@dataclass(frozen=True)
-class Camera:
-    """A viewpoint for images. It is not a sensor and does not affect the world."""
-
-    #: Pose of the viewpoint in the world frame, looking along its x axis with z up; None: from the side and above, with
-    #: everything in view.
-    pose: values.Pose | Sequence[float] | None = None
-    #: [pixels]
-    width: int = 320
-    height: int = 240
-    #: Horizontal field of view [rad].
-    field_of_view: float = 1.05
-
-
 #: A reward, or whether an episode ends, for each world.
 Judgement = Callable[[Moment], ArrayLike]
 
@@ -97,9 +82,9 @@ class Task:
     #: What an action does: steerings, whose numbers are concatenated; or a function of the simulation and the action,
     #: called between two steps, which requires `action_space`.
     action: Union[Sequence[Steering], Callable[[Simulation, Any], object]]
-    #: What is observed: readings, whose numbers are concatenated; or a function of the simulation that returns an
-    #: array, which requires `observation_space`.
-    observation: Union[Mapping[str, Reading], Callable[[Simulation], ArrayLike]]
+    #: What is observed: readings, whose numbers are concatenated, and images; or a function of the simulation that
+    #: returns an array, or a dict of arrays, which requires `observation_space`.
+    observation: Union[Mapping[str, Union[Reading, Image]], Callable[[Simulation], Any]]
     #: The reward of a step.
     reward: Judgement
     #: Whether the episode has terminated, for example by a crash. None: never.
@@ -123,8 +108,11 @@ class Task:
     noise: bool | None = None
     #: For a function instead of steerings: a space of arrays or numbers (Box, Discrete, MultiDiscrete, MultiBinary).
     action_space: spaces.Space[Any] | None = None
-    #: For a function instead of readings.
-    observation_space: spaces.Box | None = None
+    #: For a function instead of readings: a Box, or a Dict of Boxes.
+    observation_space: spaces.Box | spaces.Dict | None = None
+    #: Whether an observation is a dict, with an array for each name of `observation`, instead of one array. None: if
+    #: there are images and something else.
+    dictionary: bool | None = None
     #: What `render` draws: the view of one of the world's cameras, by name, or a viewpoint.
     camera: str | Camera = Camera()
 
@@ -136,6 +124,8 @@ class Task:
         for name, space in (("action", self.action_space), ("observation", self.observation_space)):
             if callable(getattr(self, name)) == (space is None):
                 raise ValueError(f"give {name}_space if, and only if, {name} is a function")
+        if callable(self.observation) and self.dictionary is not None:
+            raise ValueError("a function's observation_space says whether its observations are dicts; leave out dictionary")
         for each in self.randomise:
             if not isinstance(each, Randomise):
                 raise TypeError(f"randomise must be a list of Randomise, not of {type(each).__name__}")

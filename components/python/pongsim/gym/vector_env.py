@@ -20,7 +20,7 @@ from .task import Moment, Task
 from .worlds import Worlds
 
 
-class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+class VectorEnv(gymnasium.vector.VectorEnv[Any, NDArray[Any], NDArray[Any]]):
     """Many worlds of a task in this process, each bit-for-bit the same as in an `Env` of its own.
 
     A step of all worlds is one call to C++, which distributes them over threads. The number of threads only affects the
@@ -98,7 +98,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[NDArray[Any], dict[str, Any]]:
+    ) -> tuple[Any, dict[str, Any]]:
         """Begins an episode in all worlds, or in those selected by a mask.
 
         seed: seed of the first environment, with consecutive numbers for the others; or one for each.
@@ -118,7 +118,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         self._worlds.begin(chosen, seeds, self.np_random)
         self._has_begun = True
         self._done[chosen] = False
-        return self._worlds.observations.copy(), {}
+        return self._worlds.observations.all(), {}
 
     def _one_each(self, seed: int | Sequence[int | None] | None) -> list[int | None]:
         if seed is None:
@@ -141,7 +141,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
 
     def step(
         self, actions: Any
-    ) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
+    ) -> tuple[Any, NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
         """Takes a step in all worlds.
 
         actions: num_envs x one action; numbers beyond the limits are clamped.
@@ -170,12 +170,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         if self.autoreset_mode is AutoresetMode.SAME_STEP and self._done.any():
             infos = self._begin_anew()
         self._has_begun = True
-        return self._worlds.observations.copy(), rewards, terminated, truncated, infos
+        return self._worlds.observations.all(), rewards, terminated, truncated, infos
 
     def _begin_anew(self) -> dict[str, Any]:
         infos: dict[str, Any] = {}
         for i in np.flatnonzero(self._done).tolist():
-            last = {"final_obs": self._worlds.observations[i].copy(), "final_info": {}}
+            last = {"final_obs": self._worlds.observations.row(i), "final_info": {}}
             infos = self._add_info(infos, last, i)
         self._worlds.begin(self._done, [None] * self.num_envs, self.np_random)
         self._done = np.zeros(self.num_envs, np.bool_)

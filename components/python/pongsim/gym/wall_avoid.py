@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from ..simulation import Simulation
 from .env import Env
-from .parts import Command, Ranges, Velocity
-from .task import Camera, Moment, Task
+from .parts import Camera, Command, Ranges, Velocity
+from .task import Moment, Task
 from .vector_env import VectorEnv
 
 _WORLD = pathlib.Path(__file__).with_name("wall_avoid.sdf")

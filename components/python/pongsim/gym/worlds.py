@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 from .. import _core
 from ..arrays import view
 from ..errors import Gone, NoReading, Refused, SystemFailed, WorldWarning
+from ..pictures import Eye
 from ..simulation import Simulation
-from .parts import Limits, Reading, Steering
-from .pictures import Pictures
-from .task import NUMBERS, TRUTHS, Moment, Task, TaskError, call, judge, name_of
+from .observing import Observations, box
+from .parts import Image, Limits, Reading, Steering
+from .pictures import eyes_of
+from .task import NUMBERS, TRUTHS, Moment, Task, call, judge
 
 #: The result of a step: rewards, whether terminated, whether truncated.
 Verdict = tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]]
@@ -60,7 +62,7 @@ class Worlds:
         self._no.flags.writeable = False
         self._is_saved = [False] * count
         self._all_go = False
-        self._pictures: Pictures | None = None
+        self._eyes: list[Eye] = []
         self.is_closed = False
 
     def _read(self) -> None:
@@ -72,7 +74,10 @@ class Worlds:
         if twice:
             raise ValueError(f"'{min(twice)}' is both observed and extra; each reading needs a name of its own")
         limits: list[Limits] = []
+        seen: dict[str, list[Limits]] = {}
         for name, reading in {**observed, **task.extra}.items():
+            if isinstance(reading, Image) and name in observed:
+                continue
             if not isinstance(reading, Reading):
                 raise TypeError(f"'{name}' must be a Reading, such as Ranges(...), not {type(reading).__name__}")
             begin = len(limits)
@@ -81,19 +86,18 @@ class Worlds:
             limits += each
             self._columns[name] = slice(begin, len(limits))
             if name in observed:
+                seen[name] = each
                 for column in range(begin, len(limits)):
                     self._pool.observe(column, *limits[column])
         self._width = len(limits)
-        if callable(task.observation):
-            assert task.observation_space is not None
-            self.observation_space: spaces.Box = task.observation_space
-            return
-        shown = limits[: sum(self._columns[name].stop - self._columns[name].start for name in observed)]
-        self.observation_space = _box(shown)
+        self.observations = Observations(task, self.simulations, seen)
+        self.observation_space = self.observations.space
 
     def _steer(self) -> None:
         task = self.task
         self.action_space: spaces.Space[Any]
+        #: How many numbers each steering has.
+        self.action_sizes: list[int] = []
         if callable(task.action):
             assert task.action_space is not None
             self.action_space = task.action_space
@@ -105,9 +109,10 @@ class Worlds:
             for i, simulation in enumerate(self.simulations):
                 each = steering.attach(self._pool, i, simulation)
             limits += each
+            self.action_sizes.append(len(each))
         for each_limits in limits:
             self._pool.limit_action(*each_limits)
-        self.action_space = _box(limits)
+        self.action_space = box(limits)
 
     def _steps_in(self, seconds: float, what: str) -> int:
         size = self.simulations[0].step_size
@@ -137,12 +142,10 @@ class Worlds:
         self.moment.action = self._actions
         for array in (now, before):
             array.flags.writeable = False
-        self._is_observed_here = not callable(self.task.observation)
-        shape = (rows, *(self.observation_space.shape or ()))
-        if self._is_observed_here:
-            self.observations = view(pool.observations, "f4", shape)
-        else:
-            self.observations = np.zeros(shape, self.observation_space.dtype)
+        observed = len(memoryview(pool.observations)) // 4 // rows
+        self.observations.lie_in(
+            view(pool.observations, "f4", (rows, observed)) if observed else np.zeros((rows, 0), np.float32)
+        )
         self._steps = view(pool.steps, "i8", (rows,))
         self._commanded = view(pool.commanded, "u1", (rows,))
         self._restored = view(pool.restored, "u1", (rows,))
@@ -153,6 +156,7 @@ class Worlds:
         fresh = self._put_back(chosen, seeds, randoms)
         self._pool.step()
         self._have_begun(chosen, fresh)
+        self.observations.look(np.flatnonzero(chosen).tolist())
 
     def step(
         self,
@@ -176,8 +180,7 @@ class Worlds:
         self.elapsed += 1
         if chosen is not None:
             self._have_begun(chosen, fresh)
-        elif not self._is_observed_here:
-            self._observe(range(self.count))
+        self.observations.look(range(self.count))
         return self._judge(chosen)
 
     def _act(self, actions: NDArray[Any], chosen: NDArray[np.bool_] | None) -> None:
@@ -248,32 +251,6 @@ class Worlds:
         for i in to_save:
             self._pool.save(i)
             self._is_saved[i] = True
-        if not self._is_observed_here:
-            self._observe(range(self.count))
-
-    def _observe(self, which: range) -> None:
-        observe = self.task.observation
-        assert callable(observe)
-        for i in which:
-            given = call("the observation", observe, self.simulations[i])
-            try:
-                self.observations[i] = given
-            except (TypeError, ValueError) as wrong:
-                raise TaskError(
-                    f"the observation '{name_of(observe)}' returned a value outside its space, {self.observation_space}: "
-                    f"{wrong}"
-                ) from wrong
-            self._check(observe, self.observations[i])
-
-    def _check(self, observe: Any, observation: NDArray[Any]) -> None:
-        space = self.observation_space
-        inside = (observation >= space.low) & (observation <= space.high)
-        if not inside.all():
-            place = tuple(int(each) for each in np.argwhere(~inside)[0])
-            raise TaskError(
-                f"the observation '{name_of(observe)}' returned a value outside its space, {space}: number {list(place)} is "
-                f"{observation[place]}"
-            )
 
     def _judge(self, chosen: NDArray[np.bool_] | None) -> Verdict:
         task, moment, no = self.task, self.moment, self._no
@@ -290,9 +267,9 @@ class Worlds:
     def draw(self) -> list[NDArray[np.uint8]]:
         """Returns an image of each world, of rows x columns x red, green, blue."""
         self._open()
-        if self._pictures is None:
-            self._pictures = Pictures(self.simulations, self.task.camera)
-        return self._pictures.draw()
+        if not self._eyes:
+            self._eyes = eyes_of(self.simulations, self.task.camera)
+        return [eye.draw() for eye in self._eyes]
 
     def _open(self) -> None:
         if self.is_closed:
@@ -309,8 +286,3 @@ class Worlds:
                 failed.append(error)
         if failed:
             raise failed[0]
-
-
-def _box(limits: Sequence[Limits]) -> spaces.Box:
-    low, high = (np.array([each[k] for each in limits], np.float32) for k in (0, 1))
-    return spaces.Box(low, high, dtype=np.float32)
