@@ -25,7 +25,7 @@ html_sidebars = {
 CHAPTERS = {
     "Getting started": ["installation", "tutorials", "cli", "gazebo", "ci"],
     "Worlds and robots": ["sdf", "urdf", "fuel", "systems", "sensors"],
-    "Connecting": ["ros2", "ign", "web", "logs", "replay", "security"],
+    "Connecting": ["ros2", "ign", "web", "lockstep", "logs", "replay", "security"],
     "Python": ["python", "gym", "sweeps", "testing"],
     "Extending": ["plugins", "extensions"],
     "Measured": ["physics", "determinism", "performance", "transport"],

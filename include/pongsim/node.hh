@@ -19,12 +19,14 @@
 
 namespace pongsim {
 
+class Interception;
 class Publisher;
 
 namespace transport {
 class AnyType;
 class Bus;
 class DispatchQueue;
+class Gate;
 class Inbox;
 class InputGate;
 struct PublisherState;
@@ -111,6 +113,7 @@ class PONGSIM_API Publisher {
   bool waitForDelivery(std::chrono::nanoseconds timeout) const;
 
  private:
+  friend class Interception;
   friend class Node;
   friend class transport::Inbox;
   struct PONGSIM_API End {
@@ -345,6 +348,7 @@ class PONGSIM_API Node {
   }
 
  private:
+  friend class Interception;
   friend class Transport;
   Node(transport::Bus& bus, transport::DispatchQueue& queue) : bus_(&bus), queue_(&queue) {}
   Publisher advertiseAs(const std::string& type, std::string_view topic, const PublisherOptions& options);
@@ -442,7 +446,9 @@ class PONGSIM_API Transport {
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
+  friend class transport::Gate;
   friend class transport::InputGate;
+
   std::shared_ptr<transport::Bus> bus_;
   transport::DispatchQueue* queue_;
 };

@@ -9,6 +9,7 @@
 #include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/any_type.hh"
+#include "transport/interceptor.hh"
 #include "transport/names/type_name.hh"
 #include "transport/network/network.hh"
 #include "transport/payload.hh"
@@ -239,9 +240,9 @@ TrafficReport Bus::traffic() {
   return report;
 }
 
-std::size_t Bus::dispatch(DispatchQueue& queue) {
-  if (queue.isIdle()) return 0;
-  const DispatchLock lock(queue.dispatching);
+/// Calls `handOver`, which returns how many messages it has handed over, and then handles requests and responses.
+template <class HandOver>
+std::size_t Bus::inDispatch(DispatchQueue& queue, const HandOver& handOver) {
   if (queue.inDispatch) throw std::logic_error("dispatch was called within dispatch");
   queue.inDispatch = true;
   queue.dispatcher = std::this_thread::get_id();
@@ -256,25 +257,102 @@ std::size_t Bus::dispatch(DispatchQueue& queue) {
     DispatchQueue& queue;
   } const release{delivery_, queue};
 
-  std::size_t handedOver = 0;
   hearFoundTypes(queue);
-  delivery_.collect(queue);
-  if (queue.gate != nullptr) queue.replaces() ? replace(queue) : note(queue);
-  for (const Arrival& arrival : queue.arrivals) {
-    Inbox& inbox = *arrival.inbox;
-    if (inbox.ended) continue;
-    std::optional<std::string> fault;
-    queue.attempt([&] { fault = inbox.handOver(*arrival.parcel); });
-    if (fault) {
-      complain(inbox.channel, arrival.parcel->sender, *fault);
-    } else {
-      ++handedOver;
-    }
-  }
-  handedOver += server_.dispatch(queue);
+  std::size_t handedOver = handOver();
+  handedOver += server_.dispatch(queue, [this](std::uint64_t call) { return !client_.isWaitedFor(call); });
   handedOver += client_.dispatch(queue);
   if (queue.failure) std::rethrow_exception(std::exchange(queue.failure, nullptr));
   return handedOver;
+}
+
+std::size_t Bus::dispatch(DispatchQueue& queue) {
+  if (queue.isIdle()) return 0;
+  const DispatchLock lock(queue.dispatching);
+  return inDispatch(queue, [&]() REQUIRES(dispatchingRole) {
+    std::size_t handedOver = 0;
+    delivery_.collect(queue);
+    if (queue.gate != nullptr) queue.replaces() ? replace(queue) : note(queue);
+    for (const Arrival& arrival : queue.arrivals) {
+      if (!arrival.inbox->ended && handOver(arrival)) ++handedOver;
+    }
+    if (queue.interceptor != nullptr) std::exchange(queue.interceptor, nullptr)->release();
+    return handedOver;
+  });
+}
+
+/// @return Whether it was a message that the subscription can use.
+bool Bus::handOver(Inbox& inbox, Parcel& parcel) {
+  std::optional<std::string> fault;
+  inbox.queue.attempt([&] { fault = inbox.handOver(parcel); });
+  if (fault) complain(inbox.channel, parcel.sender, *fault);
+  return !fault;
+}
+
+bool Bus::handOver(const Arrival& arrival) {
+  Inbox& inbox = *arrival.inbox;
+  Interceptor* const interceptor =
+      arrival.isOutside ? inbox.channel.interceptor.load(std::memory_order_relaxed) : nullptr;
+  Interceptor* const before = std::exchange(inbox.queue.interceptor, interceptor);
+  if (before != nullptr && before != interceptor) before->release();
+  if (interceptor == nullptr || &interceptor->queue != &inbox.queue) {
+    return handOver(inbox, *arrival.parcel);
+  }
+  bool isUsed = false;
+  for (Parcel* passed : interceptor->takeIncoming(inbox.channel, *arrival.parcel)) {
+    isUsed = handOver(inbox, *passed) || isUsed;
+  }
+  return isUsed;
+}
+
+Interceptor* Bus::interceptorOf(const std::string& topic) const {
+  const auto found = std::ranges::find(interceptors_, topic, &Interceptor::topic);
+  return found == interceptors_.end() ? nullptr : *found;
+}
+
+void Bus::add(Interceptor& interceptor) {
+  const SetUpLock lock(setUp_);
+  if (interceptorOf(interceptor.topic) != nullptr) {
+    throw std::invalid_argument("topic '" + interceptor.topic + "' is already intercepted");
+  }
+  interceptors_.push_back(&interceptor);
+  for (const auto& [key, channel] : channels_) {
+    if (channel->topic == interceptor.topic) channel->interceptor = &interceptor;
+  }
+}
+
+void Bus::end(Interceptor& interceptor) {
+  const DispatchLock dispatchLock(interceptor.queue.dispatching);
+  const SetUpLock lock(setUp_);
+  std::erase(interceptors_, &interceptor);
+  for (const auto& [key, channel] : channels_) {
+    if (channel->interceptor == &interceptor) channel->interceptor = nullptr;
+  }
+  DispatchQueue& queue = interceptor.queue;
+  if (queue.interceptor == &interceptor) std::exchange(queue.interceptor, nullptr)->release();
+}
+
+void Bus::sendInside(const Interceptor& interceptor, std::string_view type, std::span<const std::byte> bytes,
+                     bool isCarried) {
+  const SetUpLock lock(setUp_);
+  const auto found = channels_.find(std::pair(interceptor.topic, std::string(type)));
+  if (found == channels_.end()) return;
+  Parcel* parcel = delivery_.take(*found->second, bytes.size());
+  std::ranges::copy(bytes, parcel->bytes->bytes.begin());
+  delivery_.deliverInside(*found->second, parcel, interceptor.queue, isCarried);
+}
+
+std::size_t Bus::serve(DispatchQueue& queue, std::uint64_t requestLimit) {
+  const DispatchLock lock(queue.dispatching);
+  queue.requestLimit = requestLimit;
+  // held ones may be below the new limit
+  queue.requestsWaiting = true;
+  return inDispatch(queue, [] { return std::size_t{0}; });
+}
+
+void Bus::setRequestLimit(DispatchQueue& queue, std::uint64_t limit) {
+  const DispatchLock lock(queue.dispatching);
+  queue.requestLimit = limit;
+  queue.requestsWaiting = true;
 }
 
 void Bus::discard(DispatchQueue& queue) {
@@ -293,6 +371,38 @@ std::optional<std::string> Bus::refusal(const DispatchQueue& queue, std::string_
     if (std::optional<std::string> reason = inbox->refusal(message)) return reason;
   }
   return std::nullopt;
+}
+
+bool Bus::isHeardOutside(const DispatchQueue& queue, std::string_view topic) {
+  const SetUpLock lock(setUp_);
+  for (const auto& [key, channel] : channels_) {
+    const auto found = channel->usersOf.find(&queue);
+    if (found == channel->usersOf.end() || (!topic.empty() && channel->topic != topic)) continue;
+    const Channel::Users& own = found->second;
+    if (own.publishers == own.relayingPublishers) continue;
+    const bool isHeardHere = channel->users.subscriptions > own.subscriptions - own.relayingSubscriptions;
+    if (isHeardHere || (channel->writer && channel->writer->hasReaders())) return true;
+  }
+  return false;
+}
+
+std::string Bus::publishersOutside(const DispatchQueue& queue, std::string_view topic) {
+  std::string text;
+  if (network_) {
+    for (const auto& publisher : network_->directory().topic(std::string(topic)).publishers) {
+      text += (text.empty() ? "process " : ", process ") + std::to_string(publisher.pid);
+    }
+  }
+  if (!text.empty()) return text;
+  const SetUpLock lock(setUp_);
+  bool isCarried = false;
+  for (const auto& [key, channel] : channels_) {
+    if (channel->topic != topic) continue;
+    const Channel::Users& own = channel->usersOf[&queue];
+    if (channel->users.publishers > own.publishers) return "this process";
+    isCarried = isCarried || own.relayingPublishers > 0;
+  }
+  return isCarried ? "another network" : "";
 }
 
 void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_view what) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@
 namespace pongsim::transport {
 
 class AnyType;
+class Interceptor;
 class Network;
 struct TrafficReport;
 
@@ -58,6 +60,13 @@ class Bus {
   AnyType& addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
                       const SubscriptionOptions& options, CallGuard* guard);
   void end(AnyType& any);
+  /// @throws std::invalid_argument if another one has the topic.
+  void add(Interceptor& interceptor);
+  void end(Interceptor& interceptor);
+  /// Gives a message to the subscriptions of the interceptor's queue as if it came from elsewhere, but not to the
+  /// interceptor itself.
+  void sendInside(const Interceptor& interceptor, std::string_view type, std::span<const std::byte> bytes,
+                  bool isCarried);
   Offer& addService(DispatchQueue& queue, std::string_view service, std::string_view requestType,
                     std::string_view replyType, ServiceHandler handler, bool isOfWorld);
   void end(Offer& offer);
@@ -66,21 +75,36 @@ class Bus {
   std::vector<OwnTopic> ownTopics(const DispatchQueue& queue);
 
   std::size_t dispatch(DispatchQueue& queue);
+  /// Handles requests and responses only, up to the queue's limit of a gate.
+  std::size_t serve(DispatchQueue& queue, std::uint64_t requestLimit);
+  void setRequestLimit(DispatchQueue& queue, std::uint64_t limit);
   /// Drops what waits for `dispatch`, as `Transport::discard` says.
   void discard(DispatchQueue& queue);
 
   /// @return Why a subscription of the queue's transport refuses the message, or nothing.
   std::optional<std::string> refusal(const DispatchQueue& queue, std::string_view topic, const Message& message);
 
+  /// @return Whether somebody outside of the queue's transport, or a carrier for somebody, subscribes to its topic, or
+  /// to any of its topics if the name is empty.
+  bool isHeardOutside(const DispatchQueue& queue, std::string_view topic);
+  /// @return Who publishes on the topic outside of the queue's transport: "process 1234"; "another network" where only
+  /// carriers could; empty if nobody does.
+  std::string publishersOutside(const DispatchQueue& queue, std::string_view topic);
+
   /// Warns of a message that can't be used, but not too often.
   void complain(Channel& channel, const ParticipantId& sender, std::string_view what);
 
  private:
+  template <class HandOver>
+  std::size_t inDispatch(DispatchQueue& queue, const HandOver& handOver) REQUIRES(dispatchingRole);
   template <class Add>
   auto inChannel(std::string_view topic, const std::string& type, const Add& add) REQUIRES(setUpRole);
   void endUnused(Channel& channel) REQUIRES(setUpRole);
   Inbox& addInbox(std::unique_ptr<Inbox> inbox) REQUIRES(setUpRole);
   void openReader(Channel& channel) REQUIRES(setUpRole);
+  Interceptor* interceptorOf(const std::string& topic) const REQUIRES(setUpRole);
+  bool handOver(const Arrival& arrival) REQUIRES(dispatchingRole);
+  bool handOver(Inbox& inbox, Parcel& parcel) REQUIRES(dispatchingRole);
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   TrafficReport traffic();
 
@@ -105,6 +129,7 @@ class Bus {
   std::vector<std::unique_ptr<DispatchQueue>> queues_ GUARDED_BY(setUpRole);
   const std::unique_ptr<Network> network_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_ GUARDED_BY(setUpRole);
+  std::vector<Interceptor*> interceptors_ GUARDED_BY(setUpRole);
   /// Changed with the set-up mutex held, too.
   std::vector<std::unique_ptr<AnyType>> anyTypes_ GUARDED_BY(waitingRole);
   Delivery delivery_;
@@ -119,6 +144,7 @@ auto Bus::inChannel(std::string_view topic, const std::string& type, const Add& 
   auto found = channels_.find(name);
   if (found == channels_.end()) {
     auto channel = std::make_unique<Channel>(name.first, type, delivery_.spareOf(type));
+    channel->interceptor = interceptorOf(name.first);
     found = channels_.emplace(name, std::move(channel)).first;
   }
   Channel& channel = *found->second;

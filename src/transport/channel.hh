@@ -19,6 +19,7 @@ namespace pongsim::transport {
 
 class DispatchQueue;
 class Inbox;
+class Interceptor;
 class Reader;
 class Writer;
 
@@ -61,6 +62,9 @@ class Channel {
   std::unique_ptr<Writer> writer GUARDED_BY(setUpRole);
   /// Receives from other processes; null without a subscription that does.
   std::unique_ptr<Reader> reader GUARDED_BY(setUpRole);
+
+  /// Takes the messages on their way; null: nobody does. Changed with the set-up mutex held.
+  std::atomic<Interceptor*> interceptor = nullptr;
 
   /// All subscriptions, in the order of subscribing.
   std::vector<Inbox*> inboxes GUARDED_BY(waitingRole);

@@ -5,6 +5,7 @@
 
 #include "transport/deadline.hh"
 #include "transport/dispatch_queue.hh"
+#include "transport/gate.hh"
 #include "transport/network/endpoint.hh"
 #include "transport/publisher.hh"
 
@@ -19,6 +20,11 @@ bool isFor(const Inbox& inbox, const PublisherState* from) {
   const bool isOwn = &inbox.queue == &from->queue;
   if (!isOwn && (inbox.ownOnly || from->options.ownOnly)) return false;
   return inbox.accepts(*from) && !(isOwn && inbox.isAtOnce());
+}
+
+/// @return Whether it is from outside of the queue's transport, or brought by a carrier.
+bool isOutside(const DispatchQueue& queue, const PublisherState* from) {
+  return from == nullptr || from->options.relays || &from->queue != &queue;
 }
 
 }  // namespace
@@ -39,7 +45,7 @@ Inbox& Delivery::add(std::unique_ptr<Inbox> owned) {
     channel.countSubscription(inbox, 1);
     isCounted = true;
     const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
-    if (isLatched) put(inbox, channel.latched);
+    if (isLatched) put(inbox, channel.latched, channel.latched->sender != kThisProcess);
   } catch (...) {
     if (isCounted) {
       takeOut(inbox);
@@ -99,10 +105,11 @@ void Delivery::deliver(Channel& channel, Parcel* parcel, bool latched, const Pub
     const WaitingLock lock(mutex);
     for (Inbox* inbox : channel.inboxes) {
       if (!isFor(*inbox, from)) continue;
-      put(*inbox, parcel);
+      put(*inbox, parcel, isOutside(inbox->queue, from));
       if (first == nullptr) first = &inbox->queue;
       if (first != &inbox->queue) inbox->queue.arrived.notify_one();
     }
+    if (gate_ != nullptr && isOutside(gate_->queue(), from)) gate_->arrived(channel, nextArrival_);
     if (latched) {
       if (channel.latched != nullptr) parcels_.giveBack(channel.latched);
       channel.latched = parcel;
@@ -114,9 +121,22 @@ void Delivery::deliver(Channel& channel, Parcel* parcel, bool latched, const Pub
   if (first != nullptr) first->arrived.notify_one();
 }
 
-void Delivery::put(Inbox& inbox, Parcel* parcel) {
+void Delivery::deliverInside(Channel& channel, Parcel* parcel, const DispatchQueue& queue, bool isCarried) {
+  const WaitingLock lock(mutex);
+  for (Inbox* inbox : channel.inboxes) {
+    if (&inbox->queue == &queue && !inbox->ownOnly && !(isCarried && inbox->relays)) put(*inbox, parcel, false);
+  }
+  parcels_.giveBack(parcel);
+}
+
+void Delivery::giveBack(Parcel* parcel) {
+  const WaitingLock lock(mutex);
+  parcels_.giveBack(parcel);
+}
+
+void Delivery::put(Inbox& inbox, Parcel* parcel, bool isOutside) {
   if (inbox.size() == 0) inbox.queue.inboxesWithArrivals.push_back(&inbox);
-  inbox.add(nextArrival_++, parcel, dropped_);
+  inbox.add(nextArrival_++, parcel, isOutside, dropped_);
   ++parcel->users;
   for (Parcel* each : dropped_) parcels_.giveBack(each);
   dropped_.clear();
@@ -131,15 +151,28 @@ void Delivery::forgetLatched(Channel& channel, const std::function<bool(const Pa
 
 void Delivery::collect(DispatchQueue& queue) {
   const WaitingLock lock(mutex);
-  for (Inbox* inbox : queue.inboxesWithArrivals) inbox->moveTo(queue.arrivals);
-  queue.inboxesWithArrivals.clear();
+  if (gate_ != nullptr && &gate_->queue() == &queue) {
+    std::erase_if(queue.inboxesWithArrivals, [&](Inbox* inbox) REQUIRES(dispatchingRole, waitingRole) {
+      inbox->moveTo(queue.arrivals, gate_->limitOf(inbox->channel));
+      return inbox->size() == 0;
+    });
+  } else {
+    for (Inbox* inbox : queue.inboxesWithArrivals) inbox->moveTo(queue.arrivals);
+    queue.inboxesWithArrivals.clear();
+  }
   // types may have been found, and subscriptions ended, since they were looked at
   queue.waiting = !queue.foundTypes.empty() || !queue.endedWhileHearing.empty();
   std::ranges::sort(queue.arrivals, {}, &Arrival::number);
 }
 
+void Delivery::setGate(Gate* gate) {
+  const WaitingLock lock(mutex);
+  gate_ = gate;
+}
+
 void Delivery::discard(DispatchQueue& queue) {
   const WaitingLock lock(mutex);
+  if (gate_ != nullptr && &gate_->queue() == &queue) gate_->forget();
   std::erase_if(queue.inboxesWithArrivals, [this](Inbox* inbox) REQUIRES(waitingRole) {
     inbox->forgetUnread(parcels_, inbox->channel.latched);
     return inbox->size() == 0;

@@ -20,6 +20,7 @@
 namespace pongsim::transport {
 
 class DispatchQueue;
+class Gate;
 
 /// Puts messages into inboxes, and gives what waits there to `dispatch`. Thread-safe.
 class Delivery {
@@ -46,11 +47,21 @@ class Delivery {
   /// Puts a message into the inboxes that it is for.
   /// @param from Null for another process.
   void deliver(Channel& channel, Parcel* parcel, bool latched, const PublisherState* from);
+  /// Puts a message into the queue's inboxes only, as one that no gate holds.
+  /// @param isCarried Whether a carrier has brought it: then other carriers do not get it.
+  void deliverInside(Channel& channel, Parcel* parcel, const DispatchQueue& queue, bool isCarried);
+  /// Ends a use of a parcel that was taken.
+  void giveBack(Parcel* parcel);
   /// Forgets a latched message of such a sender.
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
 
   /// Drops what waits, except latched messages.
   void discard(DispatchQueue& queue);
+
+  /// Lets a gate hold what comes from outside to its queue; null: nothing is held.
+  void setGate(Gate* gate);
+  /// @return The number of the next message, counted over all inboxes.
+  std::uint64_t nextArrival() const REQUIRES(waitingRole) { return nextArrival_; }
 
   /// Moves what waits to the queue's arrivals, in the order of arrival; `release` ends their use.
   void collect(DispatchQueue& queue) REQUIRES(dispatchingRole);
@@ -68,7 +79,7 @@ class Delivery {
   std::uint64_t dropped(const Inbox& inbox);
 
  private:
-  void put(Inbox& inbox, Parcel* parcel) REQUIRES(waitingRole);
+  void put(Inbox& inbox, Parcel* parcel, bool isOutside) REQUIRES(waitingRole);
   void takeOut(Inbox& inbox) REQUIRES(setUpRole, waitingRole);
 
   std::condition_variable subscribersChanged_;
@@ -77,6 +88,7 @@ class Delivery {
   ParcelPool parcels_ GUARDED_BY(waitingRole);
   std::vector<Parcel*> dropped_ GUARDED_BY(waitingRole);
   std::uint64_t nextArrival_ GUARDED_BY(waitingRole) = 0;
+  Gate* gate_ GUARDED_BY(waitingRole) = nullptr;
 };
 
 }  // namespace pongsim::transport

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -17,6 +18,8 @@
 #include "transport/services/service_server.hh"
 
 namespace pongsim::transport {
+
+class Interceptor;
 
 /// What waits for `dispatch` of one `Transport`. Transports that share a bus have one each, so that each can use its
 /// own thread. Exists as long as the bus.
@@ -38,6 +41,10 @@ class DispatchQueue {
   /// Ended within `dispatch`, and kept until it returns.
   std::vector<Inbox*> endedInboxes GUARDED_BY(dispatchingRole);
   std::vector<std::unique_ptr<Offer>> endedOffers GUARDED_BY(dispatchingRole);
+  /// Requests with this number or above wait, unless systems of this transport make them: a `Gate` holds them.
+  std::uint64_t requestLimit GUARDED_BY(dispatchingRole) = std::numeric_limits<std::uint64_t>::max();
+  /// Who takes the message that is handed over, or null.
+  Interceptor* interceptor GUARDED_BY(dispatchingRole) = nullptr;
   /// What a called function has thrown; `dispatch` throws it when it has called the others.
   std::exception_ptr failure GUARDED_BY(dispatchingRole);
   /// Notes or replaces what comes from outside; null for most runs.

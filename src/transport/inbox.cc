@@ -41,11 +41,11 @@ bool Inbox::accepts(const PublisherState& publisher) const {
   return except != &publisher && !(relays && publisher.options.relays);
 }
 
-void Inbox::add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) {
+void Inbox::add(std::uint64_t number, Parcel* parcel, bool isOutside, std::vector<Parcel*>& dropped) {
   ++added_;
   waitingBytes_ += parcel->bytes->bytes.size();
   while (size() >= queueLength_ || (size() > 0 && waitingBytes_ > kMostInboxBytes)) dropped.push_back(removeOldest());
-  waiting_.push_back({number, this, parcel});
+  waiting_.push_back({number, this, parcel, isOutside});
 }
 
 Parcel* Inbox::removeOldest() {
@@ -60,9 +60,21 @@ Parcel* Inbox::removeOldest() {
   return oldest;
 }
 
-void Inbox::moveTo(std::vector<Arrival>& arrivals) {
-  arrivals.insert(arrivals.end(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
-  clear();
+void Inbox::moveTo(std::vector<Arrival>& arrivals, std::uint64_t limit) {
+  const auto first = waiting_.begin() + static_cast<std::ptrdiff_t>(first_);
+  if (limit == kNoLimit) {
+    arrivals.insert(arrivals.end(), first, waiting_.end());
+    clear();
+    return;
+  }
+  waiting_.erase(waiting_.begin(), first);
+  first_ = 0;
+  std::erase_if(waiting_, [&](const Arrival& arrival) REQUIRES(waitingRole) {
+    if (arrival.isOutside && arrival.number >= limit) return false;
+    waitingBytes_ -= arrival.parcel->bytes->bytes.size();
+    arrivals.push_back(arrival);
+    return true;
+  });
 }
 
 void Inbox::forgetUnread(ParcelPool& pool, const Parcel* kept) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,11 +30,15 @@ struct Arrival {
   std::uint64_t number = 0;
   class Inbox* inbox = nullptr;
   Parcel* parcel = nullptr;
+  /// Whether it is from another transport, another process or a carrier, which a `Gate` holds.
+  bool isOutside = false;
 };
 
 /// A subscription: its function, and the messages that wait for it.
 class Inbox {
  public:
+  static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
   /// What a subscription calls: a function for messages or for bytes, later or at once, or for bytes of any type.
   using Function = std::variant<std::function<void(const Message&)>, std::function<void(std::span<const std::byte>)>,
                                 HeardAtOnce, HeardBytesAtOnce, std::shared_ptr<const ReceivedOfAnyType>>;
@@ -47,9 +52,9 @@ class Inbox {
   static const void* excepted(const SubscriptionOptions& options);
 
   /// Appends a message. If there is no room, the oldest ones are moved to `dropped` and counted.
-  void add(std::uint64_t number, Parcel* parcel, std::vector<Parcel*>& dropped) REQUIRES(waitingRole);
-  /// Moves all waiting messages to the end of `arrivals`.
-  void moveTo(std::vector<Arrival>& arrivals) REQUIRES(waitingRole);
+  void add(std::uint64_t number, Parcel* parcel, bool isOutside, std::vector<Parcel*>& dropped) REQUIRES(waitingRole);
+  /// Moves the waiting messages to the end of `arrivals`: of those from outside the ones with numbers below `limit`.
+  void moveTo(std::vector<Arrival>& arrivals, std::uint64_t limit = kNoLimit) REQUIRES(waitingRole);
   /// Forgets all waiting messages but `kept`. Takes no memory.
   void forgetUnread(ParcelPool& pool, const Parcel* kept = nullptr) REQUIRES(waitingRole);
   std::size_t size() const REQUIRES(waitingRole) { return waiting_.size() - first_; }

@@ -25,7 +25,7 @@ class InboxTest : public testing::Test {
   /// @return How many are dropped for it.
   std::size_t add(Inbox& places, std::uint64_t number, std::size_t bytes = 0) {
     std::vector<Parcel*> dropped;
-    places.add(number, pool_.take(spare_, bytes), dropped);
+    places.add(number, pool_.take(spare_, bytes), false, dropped);
     return dropped.size();
   }
 

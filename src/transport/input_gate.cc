@@ -128,7 +128,7 @@ void Bus::replace(DispatchQueue& queue) {
       }
       Parcel* const parcel = delivery_.take(inbox->channel, next->bytes.size());
       std::ranges::copy(next->bytes, parcel->bytes->bytes.begin());
-      all.push_back({0, inbox, parcel});
+      all.push_back({0, inbox, parcel, true});
     }
   };
   for (const Arrival& arrival : queue.arrivals) {

@@ -5,10 +5,12 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/bus.hh"
+#include "transport/interceptor.hh"
 #include "transport/network/endpoint.hh"
 #include "transport/payload.hh"
 
@@ -78,7 +80,47 @@ void sendLater(PublisherState& publisher, const Destinations& to, std::size_t si
   delivery.deliver(channel, parcel, latched, &publisher);
 }
 
+/// @return Who takes the publisher's messages on their way; null: nobody.
+Interceptor* interceptorOf(const PublisherState& publisher) {
+  Interceptor* const interceptor = publisher.channel.interceptor.load(std::memory_order_relaxed);
+  // what carriers bring is taken where it is handed over
+  const bool isTaken = interceptor != nullptr && !publisher.options.relays && &interceptor->queue == &publisher.queue;
+  return isTaken ? interceptor : nullptr;
+}
+
+void passThrough(Interceptor& interceptor, PublisherState& publisher, std::span<const std::byte> bytes) {
+  interceptor.takeOutgoing(publisher.channel.type, bytes,
+                           [&publisher](std::span<const std::byte> passed) { publishPassed(publisher, passed); });
+}
+
+/// The same for a message, which `fill` writes.
+void passThrough(Interceptor& interceptor, PublisherState& publisher, std::size_t size, const Fill& fill) {
+  std::vector<std::byte> bytes(size);
+  fill(bytes);
+  passThrough(interceptor, publisher, bytes);
+}
+
 }  // namespace
+
+void publishPassed(PublisherState& publisher, std::span<const std::byte> bytes) {
+  if (!isAwaited(publisher)) return;
+  Channel& channel = publisher.channel;
+  const Fill fill = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
+  const Message* parsed = nullptr;
+  bool isMessage = true;
+  forEachAtOnce(publisher, [&](const Inbox& inbox) REQUIRES(hearingRole) {
+    if (inbox.hearsBytes()) return inbox.hearBytes(bytes.size(), fill);
+    if (parsed == nullptr && isMessage) {
+      if (!channel.read) channel.read = newMessage(channel.type);
+      isMessage = channel.read && msgs::parseBytes(bytes, *channel.read);
+      if (!isMessage) publisher.bus.complain(channel, kThisProcess, "is not of type " + channel.type);
+      parsed = channel.read.get();
+    }
+    if (isMessage) inbox.hear(*parsed, nullptr);
+  });
+  sendLater(publisher, destinationsOf(publisher), bytes.size(), fill);
+}
+
 }  // namespace transport
 
 void Publisher::End::operator()(transport::PublisherState* state) const {
@@ -104,6 +146,9 @@ void Publisher::publish(const Message& message) {
   }
   if (!transport::isAwaited(*state_)) return;
   const transport::Fill fill = [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); };
+  if (auto* interceptor = transport::interceptorOf(*state_)) {
+    return transport::passThrough(*interceptor, *state_, msgs::byteSize(message), fill);
+  }
   transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) {
     if (inbox.hearsMessages()) return inbox.hear(message, nullptr);
     inbox.hearBytes(msgs::byteSize(message), fill);
@@ -123,6 +168,9 @@ void Publisher::publish(const Message& message, const Bulk& bulk) {
   }
   if (!transport::isAwaited(*state_)) return;
   const transport::Fill fill = [&writer](std::span<std::byte> place) { writer->write(place); };
+  if (auto* interceptor = transport::interceptorOf(*state_)) {
+    return transport::passThrough(*interceptor, *state_, writer->size(), fill);
+  }
   transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) {
     if (inbox.hearsMessages()) return inbox.hear(message, &bulk);
     inbox.hearBytes(writer->size(), fill);
@@ -132,23 +180,10 @@ void Publisher::publish(const Message& message, const Bulk& bulk) {
 
 void Publisher::publishBytes(std::span<const std::byte> bytes) {
   if (!state_ || !transport::isAwaited(*state_)) return;
-  transport::Channel& channel = state_->channel;
-  const transport::Fill fill = [bytes](std::span<std::byte> place) {
-    std::copy(bytes.begin(), bytes.end(), place.begin());
-  };
-  const Message* parsed = nullptr;
-  bool isMessage = true;
-  transport::forEachAtOnce(*state_, [&](const transport::Inbox& inbox) REQUIRES(transport::hearingRole) {
-    if (inbox.hearsBytes()) return inbox.hearBytes(bytes.size(), fill);
-    if (parsed == nullptr && isMessage) {
-      if (!channel.read) channel.read = newMessage(channel.type);
-      isMessage = channel.read && msgs::parseBytes(bytes, *channel.read);
-      if (!isMessage) state_->bus.complain(channel, transport::kThisProcess, "is not of type " + channel.type);
-      parsed = channel.read.get();
-    }
-    if (isMessage) inbox.hear(*parsed, nullptr);
-  });
-  transport::sendLater(*state_, transport::destinationsOf(*state_), bytes.size(), fill);
+  if (auto* interceptor = transport::interceptorOf(*state_)) {
+    return transport::passThrough(*interceptor, *state_, bytes);
+  }
+  transport::publishPassed(*state_, bytes);
 }
 
 std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }

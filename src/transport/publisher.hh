@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "pongsim/node.hh"
 
@@ -28,5 +30,8 @@ struct PublisherState {
 
   bool hasSubscribers() const;
 };
+
+/// Publishes bytes that an interceptor has passed.
+void publishPassed(PublisherState& publisher, std::span<const std::byte> bytes);
 
 }  // namespace pongsim::transport

@@ -37,8 +37,8 @@ TEST_P(Tour, GoesAsThePageSays) {
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
                          testing::Values("README.md", "docs/ci.md", "docs/cli.md", "docs/gazebo.md",
-                                         "docs/installation.md", "docs/logs.md", "docs/plugins.md", "docs/ros2.md",
-                                         "docs/security.md", "docs/sensors.md", "docs/tutorials.md"),
+                                         "docs/installation.md", "docs/lockstep.md", "docs/logs.md", "docs/plugins.md",
+                                         "docs/ros2.md", "docs/security.md", "docs/sensors.md", "docs/tutorials.md"),
                          [](const auto& page) {
                            std::string name;
                            for (const char letter : std::string(page.param)) {

@@ -10,10 +10,14 @@
 //   ign_peer call NAME TEXT           calls such a service, and prints the response, "refused" or "no answer"
 //   ign_peer call-one-way NAME TEXT   sends the text to such a service, once it exists, and prints "told"
 //   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once there is a subscriber
+//   ign_peer answer TOPIC DELAY       says "ready" when it hears /clock and TOPIC has a subscriber; then publishes an
+//                                     arrow key on it, as an Int32, at each tenth millisecond, after up to DELAY ms;
+//                                     not with GZ_NAMES
 
 #ifdef GZ_NAMES
 #include "gz_messages.pb.h"
 #else
+#include <ignition/msgs/clock.pb.h>
 #include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
@@ -26,6 +30,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -170,6 +175,30 @@ int publish(Node& node, const std::string& topic, const std::vector<std::string>
   return 0;
 }
 
+#ifndef GZ_NAMES
+int answer(Node& node, const std::string& topic, unsigned delay) {
+  static Node::Publisher publisher = node.Advertise<Int32>(topic);
+  static std::atomic<bool> isHeard = false;
+  static std::minstd_rand random(delay);
+  std::function<void(const ignition::msgs::Clock&)> heard = [delay](const ignition::msgs::Clock& clock) {
+    isHeard = true;
+    const auto step = clock.sim().sec() * 1000 + clock.sim().nsec() / 1000000;
+    if (step == 0 || step % 10 != 0) return;
+    if (delay > 0) std::this_thread::sleep_for(std::chrono::microseconds(random() % (1000 * delay)));
+    Int32 key;
+    key.set_data(step % 50 < 30 ? 16777235 : 16777234);
+    publisher.Publish(key);
+  };
+  if (!node.Subscribe("/clock", heard)) return 1;
+  while (!isHeard || !publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  // as in `publish`
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  say("ready");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+#endif
+
 int act(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) return 2;
   Node node;
@@ -184,6 +213,11 @@ int act(const std::vector<std::string>& arguments) {
   if (action == "call" && arguments.size() == 3) return call(node, arguments[1], arguments[2]);
   if (action == "call-one-way" && arguments.size() == 3) return callOneWay(node, arguments[1], arguments[2]);
   if (action == "publish") return publish(node, arguments[1], {arguments.begin() + 2, arguments.end()});
+#ifndef GZ_NAMES
+  if (action == "answer" && arguments.size() == 3) {
+    return answer(node, arguments[1], static_cast<unsigned>(std::stoul(arguments[2])));
+  }
+#endif
   return 2;
 }
 

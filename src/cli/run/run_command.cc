@@ -28,6 +28,7 @@
 #include "cli/run/fortress_environment.hh"
 #include "cli/run/fortress_run_options.hh"
 #include "cli/run/input_recording.hh"
+#include "cli/run/lockstep_arguments.hh"
 #include "cli/run/readiness.hh"
 #include "cli/stop_signal.hh"
 #include "pongsim/log.hh"
@@ -64,6 +65,7 @@ struct RunCommandOptions {
   /// From extensions.
   RunAdditions additions;
   FortressRunOptions fortress;
+  LockstepArguments lockstep;
 };
 
 std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
@@ -189,6 +191,22 @@ bool finish(const Worlds& worlds) {
   return areComplete;
 }
 
+/// Adds what the options say of lockstep to those of the run.
+/// @return Whether it is possible; otherwise it was reported.
+bool addLockstep(const Worlds& worlds, const RunCommandOptions& options, sim::RunOptions& run) {
+  run.lockstep = options.lockstep.check();
+  if (!run.lockstep) return true;
+  if (worlds.size() > 1) {
+    sayError("a run in lockstep is of a single world", "choose one: pongsim run FILE -w WORLD --lockstep TOPIC");
+    return false;
+  }
+  if (options.verbosity < LogLevel::kWarning) return true;
+  for (const std::string& sentence : unknownTopics(*run.lockstep, worlds.front()->transport().node())) {
+    say("warning: " + sentence);
+  }
+  return true;
+}
+
 /// Warns about Fortress options and variables that have no effect.
 void warnOfIgnored(const FortressRunOptions& options) {
   for (const std::string& sentence : options.check()) say("warning: " + sentence);
@@ -212,9 +230,10 @@ int runWorlds(const RunCommandOptions& options) {
     return kFailed;
   }
 
+  sim::RunOptions run = options.run;
+  if (!addLockstep(worlds, options, run)) return kFailed;
   transport.announce();
   announce(worlds, options, transport);
-  sim::RunOptions run = options.run;
   std::atomic<bool> isPrinted = true;
   if (options.hashPeriod) {
     run.stepped = [&isPrinted, printHash = hashPrinter(*options.hashPeriod, worlds.size())](Simulation& world) {
@@ -236,12 +255,14 @@ int runWorlds(const RunCommandOptions& options) {
     server->run();
   }
   tellStopping();
+  const Outcome<void> outcome = server->outcome();
+  if (!outcome) sayError(outcome.error);
   if (options.hash && isPrinted) isPrinted = printHashes(worlds);
   // ends what records inputs
   server.reset();
   const bool areRecorded = !inputs || inputs->finish();
   const bool areComplete = finish(worlds);
-  return isPrinted && areRecorded && areComplete ? kDone : kFailed;
+  return isPrinted && areRecorded && areComplete && outcome ? kDone : kFailed;
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
@@ -260,6 +281,10 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' can't be used together");
   options.fortress.check();
+  if (options.lockstep.check() && !options.recordedInputs.empty()) {
+    throw UsageError("options '--record-inputs' and '--lockstep' can't be used together",
+                     "in lockstep, a run repeats by itself");
+  }
   work = [&options] { return runWorlds(options); };
 }
 
@@ -324,6 +349,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addNetworkOption(*command);
   addSecureOption(*command);
   addOfflineOption(*command);
+  options->lockstep.addTo(*command);
   options->fortress.addTo(*command);
   command->footer(
       "Examples:\n"
@@ -332,7 +358,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run three_worlds.sdf -w maze\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000\n"
-      "  pongsim run worlds/pong_world.sdf --record-inputs run.inputs");
+      "  pongsim run worlds/pong_world.sdf --record-inputs run.inputs\n"
+      "  pongsim run worlds/pong_lidar.sdf -z 0 --lockstep /cmd_vel:100 --lockstep-start /lidar");
   for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
   command->callback([options, &work, command, known = std::vector(extensions.begin(), extensions.end())] {
     for (const Extension& extension : known) checkExcluded(*command, extension);

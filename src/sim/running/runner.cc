@@ -65,6 +65,7 @@ struct Runner::Parts {
         history(std::in_place, s, !o.observe),
         services(std::in_place, s, control, *history, std::move(folderAdded)) {
     if (options.observe) observer = options.observe(s);
+    if (o.lockstep) lockstep.emplace(s, *o.lockstep);
   }
 
   void publishStatus(Clock::time_point now) {
@@ -86,6 +87,7 @@ struct Runner::Parts {
   std::optional<RunHistory> history;
   std::optional<RunServices> services;
   std::unique_ptr<RunObserver> observer;
+  std::optional<Lockstep> lockstep;
   RealTimeFactor factor;
   std::chrono::nanoseconds real{0};
   std::uint64_t made = 0;
@@ -98,6 +100,7 @@ Runner::~Runner() = default;
 
 void Runner::leave() {
   parts_->observer.reset();
+  parts_->lockstep.reset();
   parts_->services.reset();
   parts_->history.reset();
   parts_->status.reset();
@@ -154,11 +157,34 @@ bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_-
 /// One pass of the loop while paused. The systems are called before the wait, because some wait for a pause to begin.
 void Runner::waitPaused() {
   Parts& parts = *parts_;
+  if (parts.lockstep) parts.lockstep->pause();
   doTasks();
   advance(Time::zero());
   parts.publishStatus(Clock::now());
   parts.simulation.transport().dispatchFor(kPausedPeriod);
   dispatched();
+}
+
+/// Takes in what came before a step.
+/// @return Whether the run goes on.
+bool Runner::takeIn() {
+  Parts& parts = *parts_;
+  if (!parts.lockstep) {
+    doTasks();
+    parts.simulation.transport().dispatch();
+    dispatched();
+    return true;
+  }
+  const Outcome<bool> taken = parts.lockstep->takeIn({.goesOn =
+                                                          [&] {
+                                                            doTasks();
+                                                            return !parts.control.paused() && !isOver();
+                                                          },
+                                                      .callSystems = [&] { advance(Time::zero()); }});
+  if (taken) return *taken.value;
+  outcome_.error = taken.error;
+  stop();
+  return false;
 }
 
 void Runner::runSteps() {
@@ -168,10 +194,8 @@ void Runner::runSteps() {
   const Clock::time_point start = now - parts.real;
   Clock::time_point due = now;
   while (!isOver()) {
-    doTasks();
-    parts.simulation.transport().dispatch();
-    dispatched();
-    // a request handled by `dispatch` takes effect before its response is sent: no step follows the response to a pause
+    if (!takeIn()) return;
+    // a request handled there takes effect before its response is sent: no step follows the response to a pause
     if (parts.control.paused() || isOver()) return;
     advance(parts.simulation.stepSize());
     ++parts.made;

@@ -9,9 +9,11 @@
 #include <optional>
 #include <vector>
 
+#include "pongsim/outcome.hh"
 #include "pongsim/simulation.hh"
 #include "sim/inputs/run_observer.hh"
 #include "sim/resource_services.hh"
+#include "sim/running/lockstep.hh"
 
 namespace pongsim::sim {
 
@@ -26,6 +28,8 @@ struct RunOptions {
   std::function<bool(Simulation&)> stepped = {};
   /// Makes what is told of each step of a world, before the first; may be empty.
   std::function<std::unique_ptr<RunObserver>(Simulation&)> observe = {};
+  /// Whether and how it waits for controllers.
+  std::optional<LockstepOptions> lockstep = std::nullopt;
 };
 
 /// Steps a simulation at the pace of the wall clock, publishes its status on `/world/W/clock`, `/world/W/stats` and,
@@ -44,6 +48,9 @@ class Runner {
   /// Runs on the calling thread until all steps are made or `stop` is called.
   void run();
 
+  /// @return Why the run could not go on, if so.
+  Outcome<void> outcome() const { return outcome_; }
+
   /// Ends the run's topics and services. To be called after `run`.
   void leave();
 
@@ -61,10 +68,12 @@ class Runner {
   void dispatched();
   void advance(Time dt);
   void waitPaused();
+  bool takeIn();
   void runSteps();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
+  Outcome<void> outcome_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> hasTasks_{false};
   std::mutex tasksMutex_;

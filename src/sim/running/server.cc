@@ -33,6 +33,13 @@ void Server::stop() {
   for (const std::unique_ptr<Runner>& runner : runners_) runner->stop();
 }
 
+Outcome<void> Server::outcome() const {
+  for (const std::unique_ptr<Runner>& runner : runners_) {
+    if (Outcome<void> outcome = runner->outcome(); !outcome) return outcome;
+  }
+  return {};
+}
+
 /// Adds a folder to the other worlds; the first one, whose service got the request, has added it.
 void Server::addFolder(const std::filesystem::path& folder) {
   for (std::size_t i = 1; i < runners_.size(); ++i) {

@@ -31,6 +31,9 @@ class Server {
   /// @throws The exception of the first world that failed.
   void run();
 
+  /// @return Why a world could not go on: the first one's reason.
+  Outcome<void> outcome() const;
+
   /// Makes `run` end soon. Thread-safe.
   void stop();
 

@@ -238,10 +238,12 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
 }
 
 /// Moves those whose answers would arrive to `ready`, and drops those that nobody waits for any more.
-void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready, bool ownOnly) {
+void ServiceServer::takeReady(Offer& offer, const IsInside& isInside, std::vector<Ready>& ready) {
   const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
+  const std::uint64_t limit = offer.queue.requestLimit;
   std::erase_if(offer.waiting, [&](Offer::Request& request) REQUIRES(requestsRole) {
-    if (ownOnly && request.client != kOwn) return false;
+    if (offer.queue.replaces() && request.client != kOwn) return false;
+    if (request.number >= limit && !(request.client == kOwn && isInside(request.call))) return false;
     const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
     if (!isReady && request.came >= tooOld) return false;
     offer.waitingBytes -= request.message.size();
@@ -250,7 +252,7 @@ void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready, bool ownO
   });
 }
 
-std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
+std::size_t ServiceServer::dispatch(DispatchQueue& queue, const IsInside& isInside) {
   // cleared first: a request that arrives from now on sets it again
   if (!queue.requestsWaiting.exchange(false)) return 0;
   std::vector<Ready> ready;
@@ -258,7 +260,7 @@ std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
     const RequestsLock lock(mutex_);
     for (const auto& [name, offers] : offers_) {
       for (const auto& offer : offers) {
-        if (&offer->queue == &queue) takeReady(*offer, ready, queue.replaces());
+        if (&offer->queue == &queue) takeReady(*offer, isInside, ready);
       }
     }
   }

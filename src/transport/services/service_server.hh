@@ -78,6 +78,7 @@ class ServiceServer {
   using AnswerOwn = std::function<void(const DispatchQueue& queue, std::uint64_t call,
                                        const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
   using Arrived = std::function<void(DispatchQueue& queue)>;
+  using IsInside = std::function<bool(std::uint64_t call)>;
 
   /// @param network Null for a transport within this process.
   /// @param arrived Called on any thread when the queue has something to dispatch.
@@ -106,7 +107,11 @@ class ServiceServer {
   bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message,
             bool isOwn = false);
 
-  std::size_t dispatch(DispatchQueue& queue) REQUIRES(dispatchingRole);
+  /// @return The number of the next request, counted over all services.
+  std::uint64_t nextNumber() const { return nextNumber_.load(std::memory_order_relaxed); }
+
+  /// @param isInside Whether a call of this bus is a system's, which no gate holds.
+  std::size_t dispatch(DispatchQueue& queue, const IsInside& isInside) REQUIRES(dispatchingRole);
   /// Drops the waiting requests of this bus whose call number fulfils `isMeant`, and tells those who have posted them.
   void discard(DispatchQueue& queue, const std::function<bool(std::uint64_t call)>& isMeant) REQUIRES(dispatchingRole);
 
@@ -126,8 +131,9 @@ class ServiceServer {
   Offer* find(const DispatchQueue& asker, const std::string& service) const REQUIRES(requestsRole);
   void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
   bool append(Offer& offer, Offer::Request request) REQUIRES(requestsRole);
-  /// @param ownOnly Leaves requests of other processes where they are.
-  void takeReady(Offer& offer, std::vector<Ready>& ready, bool ownOnly) REQUIRES(requestsRole);
+  /// Leaves requests of other processes where they are if an `InputGate` replaces them.
+  void takeReady(Offer& offer, const IsInside& isInside, std::vector<Ready>& ready)
+      REQUIRES(dispatchingRole, requestsRole);
   void handle(Offer& offer, const Offer::Request& request);
   ServiceAnswer ask(Offer& offer);
   void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
@@ -142,7 +148,8 @@ class ServiceServer {
   mutable std::mutex mutex_;
   /// By name, in the order in which they were added.
   std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_ GUARDED_BY(requestsRole);
-  std::uint64_t nextNumber_ GUARDED_BY(requestsRole) = 0;
+  /// Written with the mutex held.
+  std::atomic<std::uint64_t> nextNumber_ = 0;
   std::atomic<std::uint64_t> version_ = 0;
 };
 

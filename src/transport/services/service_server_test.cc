@@ -57,10 +57,10 @@ TEST_F(ServiceServerTest, AnswersInTheOrderOfTheRequestsWhenDispatched) {
   EXPECT_EQ(arrivals_, 2);
   EXPECT_TRUE(queue_.requestsWaiting);
   EXPECT_EQ(answers_, Answers{});
-  EXPECT_EQ(server_.dispatch(queue_), 2U);
+  EXPECT_EQ(server_.dispatch(queue_, {}), 2U);
   EXPECT_EQ(answers_, (Answers{"1 done a", "2 done b"}));
   EXPECT_FALSE(queue_.requestsWaiting);
-  EXPECT_EQ(server_.dispatch(queue_), 0U);
+  EXPECT_EQ(server_.dispatch(queue_, {}), 0U);
 }
 
 TEST_F(ServiceServerTest, GivesEachRequestAnEmptyReplyToFillIn) {
@@ -70,7 +70,7 @@ TEST_F(ServiceServerTest, GivesEachRequestAnEmptyReplyToFillIn) {
   });
   server_.post(queue_, "/s", 1, bytes("first"));
   server_.post(queue_, "/s", 2, bytes("second"));
-  server_.dispatch(queue_);
+  server_.dispatch(queue_, {});
   EXPECT_EQ(answers_, (Answers{"1 done first", "2 done "}));
 }
 
@@ -82,7 +82,7 @@ TEST_F(ServiceServerTest, TellsWhyARequestIsRefused) {
   server_.post(queue_, "/s", 1, bytes(""));
   server_.post(queue_, "/s", 2, bytes("throw"));
   server_.post(queue_, "/s", 3, {std::byte{0xff}});
-  server_.dispatch(queue_);
+  server_.dispatch(queue_, {});
   EXPECT_EQ(answers_, (Answers{"1 refused full", "2 refused broken",
                                "3 refused the request is not of type ignition.msgs.StringMsg"}));
 }
@@ -91,7 +91,7 @@ TEST_F(ServiceServerTest, HasRoomForAThousandRequests) {
   offer([](const Message&, Message&) { return true; });
   for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_TRUE(server_.post(queue_, "/s", i, {}));
   EXPECT_FALSE(server_.post(queue_, "/s", 1000, {}));
-  EXPECT_EQ(server_.dispatch(queue_), 1000U);
+  EXPECT_EQ(server_.dispatch(queue_, {}), 1000U);
   EXPECT_TRUE(server_.post(queue_, "/s", 1001, {}));
 }
 
@@ -100,7 +100,7 @@ TEST_F(ServiceServerTest, HasRoomForSoManyBytesButOneRequest) {
   constexpr std::size_t kLarge = 20 << 20;
   EXPECT_TRUE(server_.post(queue_, "/s", 1, std::vector<std::byte>(2 * kLarge)));
   EXPECT_FALSE(server_.post(queue_, "/s", 2, {std::byte{0}}));
-  EXPECT_EQ(server_.dispatch(queue_), 1U);
+  EXPECT_EQ(server_.dispatch(queue_, {}), 1U);
   EXPECT_TRUE(server_.post(queue_, "/s", 3, std::vector<std::byte>(kLarge)));
   EXPECT_FALSE(server_.post(queue_, "/s", 4, std::vector<std::byte>(kLarge)));
 }
@@ -108,7 +108,7 @@ TEST_F(ServiceServerTest, HasRoomForSoManyBytesButOneRequest) {
 TEST_F(ServiceServerTest, TakesWhateverAHandlerThrowsAsARefusal) {
   offer([](const Message&, Message&) -> ServiceAnswer { throw 7; });
   server_.post(queue_, "/s", 1, {});
-  server_.dispatch(queue_);
+  server_.dispatch(queue_, {});
   EXPECT_EQ(answers_, Answers{"1 refused it threw something other than a std::exception"});
 }
 
@@ -118,7 +118,7 @@ TEST_F(ServiceServerTest, TellsWaitingCallersThatItHasGone) {
   server_.end(gone, false);
   EXPECT_EQ(answers_, (Answers{"5 gone"}));
   EXPECT_FALSE(server_.post(queue_, "/s", 6, {}));
-  EXPECT_EQ(server_.dispatch(queue_), 0U);
+  EXPECT_EQ(server_.dispatch(queue_, {}), 0U);
 }
 
 TEST_F(ServiceServerTest, MayEndInItsOwnHandler) {
@@ -129,7 +129,7 @@ TEST_F(ServiceServerTest, MayEndInItsOwnHandler) {
   });
   server_.post(queue_, "/s", 1, {});
   server_.post(queue_, "/s", 2, {});
-  server_.dispatch(queue_);
+  server_.dispatch(queue_, {});
   EXPECT_EQ(answers_, (Answers{"1 done ", "2 gone"}));
 }
 
