@@ -115,6 +115,17 @@ def test_driving_by_a_controller():
         assert {each.child_frame_id for message in static for each in message.transforms} >= {"caster"}
 
 
+def test_the_odometrys_frame_alone():
+    """Where the other frames are left to robot_state_publisher."""
+    with simulation.running(WORLD, "--ros2", "--ros2-no-tf"), ros.node() as tester:
+        frames = hear(tester, TFMessage, "/tf", 100)
+        spawn(tester, "drive")
+        simulation.until(lambda: len(frames) > 5, "frames")
+        parents = {each.child_frame_id: each.header.frame_id for message in frames for each in message.transforms}
+        assert parents == {"base_link": "odom"}
+        assert [each.node_name for each in tester.get_publishers_info_by_topic("/tf")] == ["drive"]
+
+
 def send(tester, kind, name, goal):
     client = ActionClient(tester, kind, name)
     assert client.wait_for_server(simulation.PATIENCE)
