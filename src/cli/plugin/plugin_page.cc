@@ -26,7 +26,7 @@ const char* placeText(Declaration::Place place) {
   }
 }
 
-std::string placeOf(const plugin::CoreSystem& system) {
+std::string whereItBelongs(const plugin::CoreSystem& system) {
   return system.holders.empty() ? placeText(system.declaration.place()) : system.holders;
 }
 
@@ -155,7 +155,7 @@ std::string pluginText(const plugin::Inspection& inspection) {
 
 std::string pluginText(const plugin::CoreSystem& system) {
   std::string text = "part of pongsim itself\n";
-  addClassText({system.className}, system.declaration, placeOf(system), text);
+  addClassText({system.className}, system.declaration, whereItBelongs(system), text);
   return text;
 }
 
@@ -173,7 +173,7 @@ std::string pluginMarkdown(const plugin::Inspection& inspection) {
 
 std::string pluginMarkdown(const plugin::CoreSystem& system) {
   std::string text;
-  addClassMarkdown(system.className, system.declaration, placeOf(system), worldsFilename(system.name, system.className),
+  addClassMarkdown(system.className, system.declaration, whereItBelongs(system), worldsFilename(system.name, system.className),
                    text);
   return text + "\nPart of pongsim itself.\n";
 }
