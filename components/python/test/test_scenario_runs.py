@@ -116,6 +116,35 @@ def test_a_run_is_compared_with_a_recorded_one(tmp_path, program):
     assert code == 1 and "z = 2.2 instead of 2" in out
 
 
+def test_systems_are_added_to_the_world(tmp_path):
+    text = HEAD + """parameters: {rate: {values: [10, 50]}}
+systems:
+  - filename: ignition-gazebo-scene-broadcaster-system
+    name: ignition::gazebo::systems::SceneBroadcaster
+    xml: <dynamic_pose_hertz>$rate</dynamic_pose_hertz>
+expect:
+  - {topic: /world/w/dynamic_pose/info, eventually: true, during: [0.01, 0.05]}
+"""
+    code, out, _ = run(tmp_path, text)
+    assert code == 1
+    assert "ok   s.yaml rate=50 seed=0" in out and "FAIL s.yaml rate=10 seed=0" in out
+
+
+def test_a_robot_without_a_world_is_tested_too(tmp_path):
+    write(tmp_path, "r.urdf", "<robot name='r'><link name='l'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0'"
+          " ixz='0' iyz='0'/></inertial></link></robot>")
+    write(tmp_path, "s.yaml", "world: r.urdf\nduration: 0.1\nexpect: [{pose: r, never: {z: {below: 10}}}]\n"
+          "programs: [{command: [sleep, 60]}]\n")
+    code, out, _ = command(tmp_path, "s.yaml")
+    assert code == 1 and "expected  never pose of r: z < 10" in out, out
+    assert "test-failures/s.seed=0/log.txt" in out
+
+
+def test_a_report_that_cannot_be_written_is_told_before_anything_runs(tmp_path):
+    code, out, err = run(tmp_path, LANDS, "--junit", "no/such/out.xml")
+    assert (code, out) == (1, "") and "pongsim test: error: no/such/out.xml: No such file" in err
+
+
 def test_reports_for_ci(tmp_path):
     text = SAYS + "  - {pose: ball, always: {z: {above: 1}}}\nseeds: 2\nkeep: []\n"
     code, out, _ = run(tmp_path, text, "--junit", "out.xml", "--github", "--tap")
@@ -234,7 +263,7 @@ expect:
     assert code == 0, out
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
 def test_ctrl_c_ends_all_that_was_started_and_nothing_else(tmp_path, number):
     script = "sleep 1000 & echo $$! >inner; echo $$$$ >outer; wait"
     text = LANDS.replace("eventually", "never") + PROGRAM.format(script, "    ready: {prints: never}\n")
@@ -247,8 +276,11 @@ def test_ctrl_c_ends_all_that_was_started_and_nothing_else(tmp_path, number):
         pids = [int((tmp_path / name).read_text()) for name in ("inner", "outer")]
         process.send_signal(number)
         out, err = process.communicate(timeout=60)
-        assert process.returncode == 1
-        assert "0 passed, 1 not run; " in out and "pongsim test: stopped" in err
+        if number == signal.SIGKILL:
+            assert process.returncode == -signal.SIGKILL
+        else:
+            assert process.returncode == 1
+            assert "0 passed, 1 not run; " in out and "pongsim test: stopped" in err
         until(lambda: not any(os.path.exists(f"/proc/{pid}") and "Z" not in open(f"/proc/{pid}/stat").read().split()[2] for pid in pids))
         assert other.poll() is None
     finally:

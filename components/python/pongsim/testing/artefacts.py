@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape
 from .. import _core
 from ..arrays import view
 from ..simulation import Simulation
-from .execute import execute
+from .execute import execute, text_of
 from .programs import Noted
 from .result import Result, Status
 from .scenario import Case
@@ -68,7 +68,8 @@ class _Wanted(TypedDict, total=False):
 
 def _wanted(case: Case, folder: pathlib.Path) -> _Wanted:
     wanted: _Wanted = {}
-    if "recording" in case.keep:
+    # a file with a robot has no world to put a recorder into
+    if "recording" in case.keep and "</world>" in text_of(case):
         path = escape(str((folder / _RECORDING).resolve()))
         wanted["recorder"] = ("<plugin filename='pongsim-log-system' name='ignition::gazebo::systems::LogRecord'>"
                               f"<record_path>{path}</record_path><overwrite>true</overwrite></plugin>")

@@ -126,6 +126,9 @@ def _test(options: argparse.Namespace) -> int:
     if options.list:
         print("\n".join(report.title(case, alone[case.file]) for case in cases))
         return _PASSED
+    if options.junit:
+        # whether it can be written is known before anything runs
+        pathlib.Path(options.junit).touch()
     made: dict[int, Result] = {}
     interrupted = _run(cases, alone, options, made)
     runs = [(cases[number], made[number]) for number in sorted(made)]

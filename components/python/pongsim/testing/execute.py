@@ -97,8 +97,9 @@ class _Attempt:
     def _world(self, number: int | None) -> Iterator[Simulation]:
         case = self.case
         world = case.text if case.text is not None else case.world
-        if self.recorder:
-            world = with_system(case.text if case.text is not None else _text_of(case.world), self.recorder)
+        added = "".join((*case.systems, self.recorder))
+        if added:
+            world = with_system(text_of(case), added)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", WorldWarning)
             sim = Simulation(world, file=case.world, seed=case.run.seed, strict=True, network=number is not None,
@@ -186,8 +187,11 @@ class _Attempt:
             self._put(publication, sim.time + publication.time)
 
 
-def _text_of(world: str) -> str:
-    with open(world, encoding="utf-8") as file:
+def text_of(case: Case) -> str:
+    """Returns the text of the case's world. Raises OSError and ValueError."""
+    if case.text is not None:
+        return case.text
+    with open(case.world, encoding="utf-8") as file:
         return file.read()
 
 
@@ -195,5 +199,5 @@ def with_system(text: str, element: str) -> str:
     """Returns the world with a system more, without another line. Raises ValueError for a file without a world."""
     place = text.find("</world>")
     if place < 0:
-        raise ValueError("it has no <world>")
+        raise ValueError("the file has no <world> to add a system to")
     return text[:place] + element + text[place:]

@@ -6,6 +6,8 @@ import dataclasses
 import pathlib
 import re
 import shlex
+from xml.parsers import expat
+from xml.sax.saxutils import quoteattr
 from typing import Any, Mapping
 
 from ..sweep import document, template
@@ -18,12 +20,14 @@ from .conditions import read_fields
 #: What the monitor judges: see `core/monitor.cc`.
 Spec = dict[str, Any]
 
-KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "publish", "programs", "speed",
-        "expect", "limits", "keep")
+KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "systems", "publish", "programs",
+        "speed", "expect", "limits", "keep")
 MODES = ("eventually", "always", "never", "in_order")
 SIGNALS = ("topic", "pose", "velocity", "joint", "contact")
 WINDOW = ("within", "during", "at", "for", "after", "until")
 KEEP = ("recording", "picture", "log")
+#: Where parameters can be used as $NAME.
+_FILLED = ("systems", "publish", "programs", "expect")
 #: A larger matrix is a sweep.
 MOST_RUNS = 10_000
 
@@ -94,6 +98,8 @@ class Case:
     wall: float
     #: Simulated seconds per second; 0: as fast as it goes.
     speed: float
+    #: `<plugin>` elements in addition to those of the world.
+    systems: tuple[str, ...]
     publications: tuple[Publication, ...]
     programs: tuple[Program, ...]
     expected: tuple[Expected, ...]
@@ -143,7 +149,7 @@ class _Reader(MatrixReader):
         if len(runs) > MOST_RUNS:
             self.root.fail(f"these are {len(runs)} runs, more than {MOST_RUNS}", "pongsim sweep makes that many")
         world, text, targets = self.read_world(target_paths)
-        for part in ("publish", "programs", "expect"):
+        for part in _FILLED:
             if part in self.parts:
                 self.check_names(self.parts[part].plain(), self.parts[part])
         self._check_use({path.parameter for path in target_paths})
@@ -159,7 +165,7 @@ class _Reader(MatrixReader):
         return Scenario(self.file, name or self.file, cases)
 
     def _check_use(self, used: set[str]) -> None:
-        for part in ("publish", "programs", "expect"):
+        for part in _FILLED:
             if part in self.parts:
                 used |= set(template.names(self.parts[part].plain(), ""))
         for name in self.names:
@@ -180,6 +186,7 @@ class _Reader(MatrixReader):
             wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else 300.0,
             # a controller is made for a robot in real time
             speed=float(parts["speed"].number("speed", least=0)) if "speed" in parts else (1.0 if programs else 0.0),
+            systems=tuple(_system(each) for each in parts["systems"].list("systems")) if "systems" in parts else (),
             publications=_publications(parts.get("publish"), self.folder), programs=programs,
             expected=tuple(read_expectation(each, self.folder) for each in parts["expect"].list("expect")),
             keep=_keep(parts.get("keep")))
@@ -282,6 +289,22 @@ def _limit_to_recording(spec: Spec) -> None:
     if ranges:
         spec["from"] = max(times[0] for times in ranges)
         spec["to"] = max(spec["from"], min(times[-1] for times in ranges))
+
+
+def _system(node: Node) -> str:
+    """Reads a system that is added to the world: its `<plugin>` element, in one line."""
+    parts = node.mapping("a system", ["filename", "name", "xml"])
+    for key in ("filename", "name"):
+        if key not in parts:
+            node.fail(f"a system has no '{key}'", "write its <plugin>'s attributes: filename: ..., name: ...")
+    inner = " ".join(parts["xml"].text("'xml'").split()) if "xml" in parts else ""
+    filename, name = (quoteattr(parts[key].text(f"'{key}'")) for key in ("filename", "name"))
+    element = f"<plugin filename={filename} name={name}>{inner}</plugin>"
+    try:
+        expat.ParserCreate().Parse(element, True)
+    except expat.ExpatError as error:
+        parts.get("xml", node).fail(f"'xml' is not the inside of a <plugin>: {expat.errors.messages[error.code]}")
+    return element
 
 
 def _publications(node: Node | None, folder: pathlib.Path) -> tuple[Publication, ...]:
