@@ -39,6 +39,16 @@ bool environmentAllowsPaths() {
   return value != nullptr && std::string_view(value) == "1";
 }
 
+/// Takes the place of a system that stands outside, and does nothing.
+class StandIn final : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Stands for a system that connects the world with the outside.", Declaration::Place::kAnywhere);
+    declaration.standsOutside();
+  }
+  void configure(const SystemContext&) override {}
+};
+
 /// @return Whether it is a system of the world that simulates sensors. Its `<plugin>` may be in a robot, because a URDF
 /// has no world.
 bool isOfSensors(const Declaration& declaration) {
@@ -175,7 +185,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     system = loader_.load(plugin, origin.paths, origin.need, diagnostics);
     if (system != nullptr) declaration = declared(*system, name, plugin.sdf.position, diagnostics);
   }
-  if (!declaration || (declaration->isOutside() && !loadsOutsiders_)) return;
+  if (!declaration) return;
 
   std::optional<Model> model;
   std::optional<Actor> actor;
@@ -195,11 +205,17 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     actor = Actor(access_, holder.actor->id);
     name += " of " + holder.actor->description->name;
   }
+  const bool isStandIn = declaration->isOutside() && !loadsOutsiders_;
+  if (isStandIn) {
+    // keeps its place, where a replay makes the changes that it made
+    system = std::make_unique<StandIn>();
+    declaration = declared(*system, name, {}, diagnostics);
+  }
   const bool isBelow = nameSpace != nullptr && !nameSpace->empty();
   const Node node = isBelow ? transport_.node().below(*nameSpace) : transport_.node();
-  start({model ? model->id() : ModelId(), number, name, plugin.sdf, node, stream(SystemSlot::streamOf(name, number)),
-         std::move(system), *std::move(declaration), actor ? actor->id() : ActorId(), where(), false,
-         origin.isFromOutside, endsWithReset, origin.isWatcher},
+  start({model ? model->id() : ModelId(), number, name, isStandIn ? Element() : plugin.sdf, node,
+         stream(SystemSlot::streamOf(name, number)), std::move(system), *std::move(declaration),
+         actor ? actor->id() : ActorId(), where(), false, origin.isFromOutside, endsWithReset, origin.isWatcher},
         model, actor, diagnostics);
 }
 

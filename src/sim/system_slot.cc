@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "sim/edits/editor.hh"
+
 namespace pongsim::sim {
 
 namespace {
@@ -72,9 +74,14 @@ void SystemSlot::run(const char* phase, const Function& function) {
   std::optional<std::string> outerCommand;
   if (isNested) outerCommand.swap(access_.badCommand);
   access_.systemThread.store(std::this_thread::get_id(), kRelaxed);
-  const bool wasOutsider = std::exchange(access_.isOutsiderActing, isOutside_);
-  attempt(phase, function);
-  access_.isOutsiderActing = wasOutsider;
+  if (isOutside_) {
+    // what it makes others do at once comes from outside, too
+    SystemSlot* const outer = std::exchange(access_.outsider, this);
+    attempt(phase, function);
+    access_.outsider = outer;
+  } else {
+    attempt(phase, function);
+  }
   if (access_.badCommand) switchOff(phase, *std::exchange(access_.badCommand, std::nullopt));
   if (isNested) {
     access_.badCommand.swap(outerCommand);
@@ -131,7 +138,41 @@ void SystemSlot::switchOn(Random random) {
 void SystemSlot::answer(const std::function<void()>& call) { run("in the answer to an edit", call); }
 
 void SystemSlot::preUpdate(const StepInfo& info) {
+  isInPreUpdate_ = isOutside_;
+  if (isOutside_) makeDueChanges();
   run("in preUpdate", [&] { system().preUpdate(info); });
+  isInPreUpdate_ = false;
+}
+
+void SystemSlot::note(OutsideChange change) const {
+  OutsideChanges* const changes = notes();
+  if (changes == nullptr) return;
+  if (!isInPreUpdate_) {
+    ++changes->unnoted;
+    return;
+  }
+  change.system = stream();
+  changes->noted.push_back(std::move(change));
+}
+
+/// Makes the changes that the system made here in the run that is replayed.
+void SystemSlot::makeDueChanges() {
+  using enum OutsideChange::Kind;
+  std::erase_if(access_.outsideChanges.due, [this](const OutsideChange& change) {
+    if (change.system != stream()) return false;
+    const auto after = static_cast<AfterMove>(change.after);
+    const world::Slot model = access_.entities.slot(ModelId{change.id});
+    const world::Slot link = access_.entities.slot(LinkId{change.id});
+    if (change.kind == kInsertText) edits_.insertText(change.source.text, change.source.name, change.options);
+    if (change.kind == kInsertFile) edits_.insertFile(change.source.text, change.options);
+    if (change.kind == kRemove) queue_.remove(*this, ModelId{change.id}, {});
+    if (change.kind == kSetPose && model != world::kNoSlot) Editor(access_).setPose(model, change.pose, after);
+    if (change.kind == kSetLinkPose && link != world::kNoSlot) Editor(access_).setLinkPose(link, change.pose, after);
+    if (change.kind == kSetLinkVelocity && link != world::kNoSlot) {
+      Editor(access_).setLinkVelocity(link, change.linear, change.angular);
+    }
+    return true;
+  });
 }
 
 void SystemSlot::update(const StepInfo& info) {

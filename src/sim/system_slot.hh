@@ -98,8 +98,13 @@ class SystemSlot final : public CallGuard {
   /// Sets its random stream.
   void setRandom(Random random) { parts_.random = random; }
 
-  /// Notes that the system asks for a change of the world.
-  void noteEdit() const { access_.noteOutsideChange(); }
+  /// Notes a change of the world that the system, which stands outside, makes or asks for; others come again by
+  /// themselves.
+  void note(OutsideChange change) const;
+  /// @return Where such changes are noted, or null.
+  OutsideChanges* notes() const {
+    return isOutside_ && access_.outsideChanges.isNoting ? &access_.outsideChanges : nullptr;
+  }
 
   /// Calls a function of the system with the same error handling as its phases.
   void answer(const std::function<void()>& call);
@@ -126,6 +131,7 @@ class SystemSlot final : public CallGuard {
   }
 
  private:
+  void makeDueChanges();
   template <class Function>
   void run(const char* phase, const Function& function);
   template <class Function>
@@ -148,6 +154,7 @@ class SystemSlot final : public CallGuard {
   std::atomic<bool> isOff_ = false;
   std::atomic<bool> isResting_ = false;
   const bool isOutside_;
+  bool isInPreUpdate_ = false;
 };
 
 }  // namespace pongsim::sim

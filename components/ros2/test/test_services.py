@@ -4,6 +4,7 @@ cyclonedds can't say which reader a reply is for, as rmw_fastrtps does; the serv
 all readers hear it, so that a lone client can be one over it. How replies find their callers ros2/node/service_test.cc
 shows."""
 
+import subprocess
 from dataclasses import dataclass, field
 
 import peers
@@ -106,6 +107,17 @@ class GetEntityStateResponse(IdlStruct, typename=SRV + "GetEntityState_Response_
 
 
 @dataclass
+class SetEntityStateRequest(IdlStruct, typename=SRV + "SetEntityState_Request_"):
+    entity: str = ""
+    state: EntityState = field(default_factory=EntityState)
+
+
+@dataclass
+class SetEntityStateResponse(IdlStruct, typename=SRV + "SetEntityState_Response_"):
+    result: Result = field(default_factory=Result)
+
+
+@dataclass
 class DeleteEntityRequest(IdlStruct, typename=SRV + "DeleteEntity_Request_"):
     entity: str = ""
 
@@ -143,6 +155,11 @@ class ControlWorldResponse(IdlStruct, typename=GZ + "srv::dds_::ControlWorld_Res
 
 
 BOX = "<sdf version='1.9'><model name='box'><static>true</static><link name='l'/></model></sdf>"
+
+
+FALLING = BOX.replace("<static>true</static>", "").replace(
+    "<link name='l'/>", "<link name='l'><collision name='c'><geometry><sphere><radius>0.2</radius></sphere></geometry>"
+                        "</collision></link>")
 
 
 def test_another_middleware_spawns_steps_and_deletes():
@@ -191,13 +208,31 @@ def test_a_repeated_run_with_the_same_steps_has_the_same_bits():
             step = Client(peer, "/pongsim/step_simulation", StepSimulationRequest, StepSimulationResponse)
             state = Client(peer, "/pongsim/get_entity_state", GetEntityStateRequest, GetEntityStateResponse)
             assert step(StepSimulationRequest(100)).result.result == 1
-            falling = BOX.replace("<static>true</static>", "").replace(
-                "<link name='l'/>", "<link name='l'><collision name='c'><geometry><sphere><radius>0.2</radius></sphere>"
-                                    "</geometry></collision></link>")
-            request = SpawnEntityRequest(entity_resource=Resource(resource_string=falling))
+            request = SpawnEntityRequest(entity_resource=Resource(resource_string=FALLING))
             request.initial_pose.pose.position = Point(0.1, 0.05, 1.0)
             assert spawn(request).result.result == 1
             assert step(StepSimulationRequest(700)).result.result == 1
             return [state(GetEntityStateRequest(name)).state.pose for name in ("rover", "box")]
 
     assert drive() == drive()
+
+
+def test_what_services_change_while_the_world_runs_is_recorded_and_replayed(tmp_path):
+    recording = tmp_path / "run.inputs"
+    with peers.running(peers.ROOT / "components/ros2/test/drive.sdf", "--record-inputs", recording):
+        peer = peers.Peer()
+        spawn = Client(peer, "/pongsim/spawn_entity", SpawnEntityRequest, SpawnEntityResponse)
+        move = Client(peer, "/pongsim/set_entity_state", SetEntityStateRequest, SetEntityStateResponse)
+        delete = Client(peer, "/pongsim/delete_entity", DeleteEntityRequest, DeleteEntityResponse)
+        for name in ("a", "b", "c"):
+            request = SpawnEntityRequest(name=name, entity_resource=Resource(resource_string=FALLING))
+            request.initial_pose.pose.position = Point(0.1, 0.05, 1.0)
+            assert spawn(request).result.result == 1
+        state = EntityState()
+        state.pose.position = Point(0.5, 0.5, 2.0)
+        state.twist.linear.z = 1.0
+        assert move(SetEntityStateRequest("b", state)).result.result == 1
+        assert delete(DeleteEntityRequest("a")).result.result == 1
+    for threads in ("1", "3"):
+        replay = subprocess.run([peers.PONGSIM, "replay", recording, "--threads", threads], capture_output=True, text=True)
+        assert replay.returncode == 0 and "is as recorded" in replay.stdout, replay.stdout + replay.stderr

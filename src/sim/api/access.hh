@@ -13,11 +13,14 @@
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
+#include "sim/inputs/outside_changes.hh"
 #include "sim/levels.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
 namespace pongsim::sim {
+
+class SystemSlot;
 
 /// Largest magnitudes of commands: far beyond reasonable ones, and about the limit of what physics can compute. Forces
 /// [N, N m], velocities [m/s, rad/s].
@@ -56,13 +59,9 @@ class Access {
   std::atomic<std::thread::id> systemThread = std::thread::id();
   std::optional<std::string> badCommand = std::nullopt;
 
-  /// Whether a system that stands outside is running on that thread, and how many changes of the world such systems have
-  /// made or asked for: changes that are no messages and requests, and that no recording of inputs has.
-  bool isOutsiderActing = false;
-  std::uint64_t outsideChanges = 0;
-  void noteOutsideChange() {
-    if (isOutsiderActing) ++outsideChanges;
-  }
+  /// Set while a system that stands outside is running on that thread.
+  SystemSlot* outsider = nullptr;
+  OutsideChanges outsideChanges = {};
 
   /// Reports an invalid command.
   void refuse(std::string what) {

@@ -8,6 +8,7 @@
 #include "sim/api/access.hh"
 #include "sim/edits/editor.hh"
 #include "sim/state/joint_reset.hh"
+#include "sim/system_slot.hh"
 
 namespace pongsim {
 
@@ -75,11 +76,10 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
                     sim::kMostVelocityText);
     return;
   }
-  const world::Slot slot = slotOf(*access_, id_);
-  if (!access_->engine.setLinkVelocity(slot, linear, angular)) return;
-  access_->noteOutsideChange();
-  access_->state.links[slot].v_WorldLink = linear;
-  access_->state.links[slot].w_WorldLink = angular;
+  sim::Editor(*access_).setLinkVelocity(slotOf(*access_, id_), linear, angular);
+  if (access_->outsider == nullptr) return;
+  access_->outsider->note(
+      {.kind = sim::OutsideChange::Kind::kSetLinkVelocity, .id = id_.value, .linear = linear, .angular = angular});
 }
 
 MassInfo Link::mass() const {
@@ -95,7 +95,14 @@ MassInfo Link::mass() const {
 }
 
 Outcome<void> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
-  return sim::Editor(*access_).setLinkPose(slotOf(*access_, id_), X_WorldLink, after);
+  Outcome<void> set = sim::Editor(*access_).setLinkPose(slotOf(*access_, id_), X_WorldLink, after);
+  if (set && access_->outsider != nullptr) {
+    access_->outsider->note({.kind = sim::OutsideChange::Kind::kSetLinkPose,
+                             .id = id_.value,
+                             .pose = X_WorldLink,
+                             .after = static_cast<std::uint8_t>(after)});
+  }
+  return set;
 }
 
 Model Link::model() const { return Model(*access_, access_->entities.models()[record(*access_, id_).model].id); }
@@ -279,7 +286,14 @@ void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const V
 }
 
 Outcome<void> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
-  return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
+  Outcome<void> set = sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
+  if (set && access_->outsider != nullptr) {
+    access_->outsider->note({.kind = sim::OutsideChange::Kind::kSetPose,
+                             .id = id_.value,
+                             .pose = X_WorldModel,
+                             .after = static_cast<std::uint8_t>(after)});
+  }
+  return set;
 }
 
 const std::vector<double>* Model::actuators() const {

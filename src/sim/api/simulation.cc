@@ -389,6 +389,8 @@ std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->ac
 
 Transport& Simulation::transport() { return parts_->transport; }
 
+sim::Access& sim::Inside::access(Simulation& simulation) { return simulation.parts_->access; }
+
 const sim::Access& sim::Inside::access(const Simulation& simulation) { return simulation.parts_->access; }
 
 }  // namespace pongsim

@@ -12,12 +12,10 @@
 namespace pongsim::sim {
 
 void EditQueue::insert(SystemSlot& owner, Insert insert, WorldEdits::Inserted inserted) {
-  owner.noteEdit();
   requests_.push_back({nextNumber_++, &owner, Insertion{std::move(insert), std::move(inserted)}});
 }
 
 void EditQueue::remove(SystemSlot& owner, ModelId model, WorldEdits::Removed removed) {
-  owner.noteEdit();
   requests_.push_back({nextNumber_++, &owner, RemovalOf{model, std::move(removed)}});
 }
 

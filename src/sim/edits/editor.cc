@@ -101,7 +101,6 @@ void Editor::move(const std::vector<world::Slot>& links, const Pose& X_NewOld, A
 
 Outcome<void> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
   if (const char* fault = poseFault(X_WorldModel)) return {std::string("the pose ") + fault};
-  access_.noteOutsideChange();
   const Pose X_WorldNew{X_WorldModel.position, X_WorldModel.rotation.normalized()};
   std::vector<world::Slot> links = access_.entities.allLinks(model);
   std::ranges::sort(links);
@@ -123,10 +122,15 @@ Outcome<void> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, Aft
     return {"link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
             joint->description->name + "'"};
   }
-  access_.noteOutsideChange();
   const Pose X_WorldNew{X_WorldLink.position, X_WorldLink.rotation.normalized()};
   move({link}, X_WorldNew * access_.state.links[link].X_WorldLink.inverse(), after);
   return {};
+}
+
+void Editor::setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular) {
+  if (!access_.engine.setLinkVelocity(link, linear, angular)) return;
+  access_.state.links[link].v_WorldLink = linear;
+  access_.state.links[link].w_WorldLink = angular;
 }
 
 world::Slot Editor::attach(world::Slot parent, world::Slot child, std::string name) {

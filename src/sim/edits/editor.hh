@@ -35,6 +35,9 @@ class Editor {
 
   Outcome<void> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
   Outcome<void> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
+  /// Sets the velocity of the link frame's origin in the world frame, as in `Link::setVelocity`. No effect on a link
+  /// that does not move.
+  void setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular);
 
   /// Moves links like a rigid body, ignoring joints.
   void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);

@@ -33,6 +33,18 @@ void throwFirst(const Diagnostics& found, const SourcePosition& position, Diagno
   if (first) throw Error(*first);
 }
 
+/// Notes that a system which stands outside inserts a model.
+/// @param source Null: it is not known.
+void noteInsertion(const sim::SystemSlot& owner, sim::OutsideChanges& notes, const sim::OutsideChange::Source* source,
+                   const InsertOptions& options) {
+  using enum sim::OutsideChange::Kind;
+  if (source == nullptr) {
+    ++notes.unnoted;
+  } else {
+    owner.note({.kind = source->isFile ? kInsertFile : kInsertText, .source = *source, .options = options});
+  }
+}
+
 }  // namespace
 
 ModelTemplate WorldEdits::read(const Element& sdf, Diagnostics& diagnostics) const {
@@ -46,6 +58,7 @@ ModelTemplate WorldEdits::readText(std::string_view text, std::string_view name,
   Diagnostics found;
   std::shared_ptr<const description::Model> model = queue_.edits().readText(text, name, found);
   throwFirst(found, {std::make_shared<const std::string>(name), 0, 0}, diagnostics);
+  if (auto* notes = owner_.notes()) notes->keepSource(model, {false, std::string(text), std::string(name)});
   return ModelTemplate(std::move(model));
 }
 
@@ -53,6 +66,7 @@ ModelTemplate WorldEdits::readFile(const std::filesystem::path& file, Diagnostic
   Diagnostics found;
   std::shared_ptr<const description::Model> model = queue_.edits().readFile(file, found);
   throwFirst(found, {std::make_shared<const std::string>(file.string()), 0, 0}, diagnostics);
+  if (auto* notes = owner_.notes()) notes->keepSource(model, {true, file.string(), {}});
   return ModelTemplate(std::move(model));
 }
 
@@ -72,6 +86,7 @@ std::optional<std::filesystem::path> WorldEdits::resolve(const std::string& addr
 }
 
 void WorldEdits::insert(const ModelTemplate& model, const InsertOptions& options, Inserted inserted) {
+  if (auto* notes = owner_.notes()) noteInsertion(owner_, *notes, notes->sourceOf(model.model_), owned(options));
   queue_.insert(
       owner_,
       [model = model.model_, options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
@@ -81,6 +96,10 @@ void WorldEdits::insert(const ModelTemplate& model, const InsertOptions& options
 }
 
 void WorldEdits::insertText(std::string text, std::string name, const InsertOptions& options, Inserted inserted) {
+  if (auto* notes = owner_.notes()) {
+    const sim::OutsideChange::Source source{false, text, name};
+    noteInsertion(owner_, *notes, &source, owned(options));
+  }
   queue_.insert(
       owner_,
       [text = std::move(text), name = std::move(name), options = owned(options)](sim::ModelEdits& edits,
@@ -91,6 +110,10 @@ void WorldEdits::insertText(std::string text, std::string name, const InsertOpti
 }
 
 void WorldEdits::insertFile(std::filesystem::path file, const InsertOptions& options, Inserted inserted) {
+  if (auto* notes = owner_.notes()) {
+    const sim::OutsideChange::Source source{true, file.string(), {}};
+    noteInsertion(owner_, *notes, &source, owned(options));
+  }
   queue_.insert(
       owner_,
       [file = std::move(file), options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
@@ -100,6 +123,7 @@ void WorldEdits::insertFile(std::filesystem::path file, const InsertOptions& opt
 }
 
 void WorldEdits::insertCopy(const Model& model, const InsertOptions& options, Inserted inserted) {
+  if (auto* notes = owner_.notes()) noteInsertion(owner_, *notes, nullptr, owned(options));
   queue_.insert(
       owner_,
       [original = model.id(), options = owned(options)](sim::ModelEdits& edits, Diagnostics& diagnostics) {
@@ -108,6 +132,9 @@ void WorldEdits::insertCopy(const Model& model, const InsertOptions& options, In
       std::move(inserted));
 }
 
-void WorldEdits::remove(const Model& model, Removed removed) { queue_.remove(owner_, model.id(), std::move(removed)); }
+void WorldEdits::remove(const Model& model, Removed removed) {
+  owner_.note({.kind = sim::OutsideChange::Kind::kRemove, .id = model.id().value});
+  queue_.remove(owner_, model.id(), std::move(removed));
+}
 
 }  // namespace pongsim

@@ -30,9 +30,11 @@ std::size_t sizeOf(const transport::Intake& intake) {
 InputRecorder::InputRecorder(Simulation& simulation, std::uint32_t world, RecordingWriter& writer)
     : simulation_(simulation), writer_(writer), gate_(simulation.transport(), transport::InputGate::Use::kNote) {
   passage_.world = world;
+  Inside::access(simulation).outsideChanges.isNoting = true;
 }
 
 InputRecorder::~InputRecorder() {
+  Inside::access(simulation_).outsideChanges.isNoting = false;
   addPending();
   if (steps_ > 0) recordState();
   flush();
@@ -40,7 +42,7 @@ InputRecorder::~InputRecorder() {
 }
 
 void InputRecorder::add(Passage::Kind kind) {
-  const bool isListed = kind == Passage::Kind::kIntake || kind == Passage::Kind::kFolder;
+  const bool isListed = kind >= Passage::Kind::kIntake;
   if (!isListed && !passage_.runs.empty() && passage_.runs.back().kind == kind) {
     ++passage_.runs.back().count;
   } else {
@@ -69,6 +71,17 @@ void InputRecorder::dispatched() {
 }
 
 void InputRecorder::advanced(bool paused) {
+  if (pending_ == Passage::Kind::kPausedAdvance) addPending();
+  std::vector<OutsideChange>& changes = Inside::access(simulation_).outsideChanges.noted;
+  if (!changes.empty()) {
+    // a dispatch before this step comes before them, and changes nothing of them
+    for (OutsideChange& change : changes) {
+      taken_ += change.source.text.size();
+      passage_.changes.push_back(std::move(change));
+      add(Passage::Kind::kChange);
+    }
+    changes.clear();
+  }
   if (paused) {
     addPending();
     pending_ = Passage::Kind::kPausedAdvance;
@@ -97,7 +110,7 @@ void InputRecorder::folderAdded(const std::filesystem::path& folder) {
 
 /// Notes the first change that is not recorded.
 void InputRecorder::noteUnrecorded() {
-  if (hasUnrecorded_ || Inside::access(simulation_).outsideChanges == 0) return;
+  if (hasUnrecorded_ || Inside::access(simulation_).outsideChanges.unnoted == 0) return;
   hasUnrecorded_ = true;
   Logger("inputs").warning(
       "a system that connects the world with the outside has changed it without a message or request: this is not "

@@ -11,6 +11,7 @@ class Inside {
  public:
   /// One step of that length without handing over messages; zero: nothing moves.
   static void advance(Simulation& simulation, Time dt) { simulation.advance(dt); }
+  static Access& access(Simulation& simulation);
   static const Access& access(const Simulation& simulation);
 };
 

@@ -159,7 +159,7 @@ void RunStart::transfer(StateArchive& archive) {
 }
 
 void Passage::Run::transfer(StateArchive& archive) {
-  archive(kind, Kind::kFolder);
+  archive(kind, Kind::kChange);
   archive(count);
 }
 
@@ -168,6 +168,7 @@ void Passage::transfer(StateArchive& archive) {
   archive(runs);
   transferEach(archive, intakes, [&archive](transport::Intake& intake) { transferIntake(archive, intake); });
   archive(folders);
+  archive(changes);
   archive(hashes);
 }
 

@@ -10,6 +10,7 @@
 #include "pongsim/element.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/state/state_archive.hh"
+#include "sim/inputs/outside_changes.hh"
 #include "sim/inputs/state_values.hh"
 #include "transport/input_gate.hh"
 
@@ -58,7 +59,9 @@ struct Passage {
     /// The next dispatch takes in the next one of `intakes`.
     kIntake,
     /// The next one of `folders` is added.
-    kFolder
+    kFolder,
+    /// The next step makes the next one of `changes`.
+    kChange
   };
   /// As often as `count` says.
   struct Run {
@@ -71,6 +74,7 @@ struct Passage {
   std::vector<Run> runs;
   std::vector<transport::Intake> intakes;
   std::vector<std::string> folders;
+  std::vector<OutsideChange> changes;
   /// `quickHash` after each step, moving or not.
   std::vector<std::uint64_t> hashes;
 

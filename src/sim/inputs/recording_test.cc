@@ -37,6 +37,10 @@ class RecordingTest : public testing::Test {
                          {{{"/t", "ignition.msgs.Int32", 2}, 9}},
                          {{5, "/s", {std::byte{3}}}}}};
     passage_.folders = {"/models"};
+    passage_.changes.push_back({.kind = OutsideChange::Kind::kInsertText,
+                                .system = "ros2#3",
+                                .source = {false, "<sdf/>", "resource_string"},
+                                .options = {.name = "box", .pose = Pose()}});
     passage_.hashes = {1, 2, 3};
   }
 
@@ -88,6 +92,12 @@ TEST_F(RecordingTest, ReadsWhatWasWritten) {
   EXPECT_EQ(passage.intakes[0].requests[0].service, "/s");
   EXPECT_EQ(passage.folders, passage_.folders);
   EXPECT_EQ(passage.hashes, passage_.hashes);
+  ASSERT_EQ(passage.changes.size(), 1U);
+  EXPECT_EQ(passage.changes[0].kind, OutsideChange::Kind::kInsertText);
+  EXPECT_EQ(passage.changes[0].system, "ros2#3");
+  EXPECT_EQ(passage.changes[0].source.text, "<sdf/>");
+  EXPECT_EQ(passage.changes[0].options.name, "box");
+  EXPECT_TRUE(passage.changes[0].options.pose.has_value());
 }
 
 TEST_F(RecordingTest, IsReadUpToWhereItIsCutOffOrDamaged) {

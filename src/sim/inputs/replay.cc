@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sim/api/access.hh"
 #include "sim/inputs/inside.hh"
 
 namespace pongsim::sim {
@@ -22,7 +23,7 @@ bool Replay::next(Passage::Kind& kind) {
     const Passage& passage = tape_.passages[passage_];
     if (run_ == passage.runs.size()) {
       ++passage_;
-      run_ = intake_ = folder_ = 0;
+      run_ = intake_ = folder_ = change_ = 0;
       continue;
     }
     if (done_ == passage.runs[run_].count) {
@@ -50,6 +51,13 @@ bool Replay::advance() {
       case kFolder: {
         const Passage& passage = tape_.passages[passage_];
         if (folder_ < passage.folders.size()) simulation_.addResourceFolder(passage.folders[folder_++]);
+        break;
+      }
+      case kChange: {
+        const Passage& passage = tape_.passages[passage_];
+        if (change_ < passage.changes.size()) {
+          Inside::access(simulation_).outsideChanges.due.push_back(passage.changes[change_++]);
+        }
         break;
       }
       case kDispatch:
@@ -82,6 +90,7 @@ void Replay::dispatch() {
 
 void Replay::step(bool paused) {
   Inside::advance(simulation_, paused ? Time::zero() : simulation_.stepSize());
+  Inside::access(simulation_).outsideChanges.due.clear();
   ++advances_;
   if (!paused) {
     ++steps_;

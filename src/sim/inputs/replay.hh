@@ -59,6 +59,7 @@ class Replay {
   std::uint64_t done_ = 0;
   std::size_t intake_ = 0;
   std::size_t folder_ = 0;
+  std::size_t change_ = 0;
   // The next hash, in a passage of its own: hashes may be written before the step that they belong to.
   std::size_t hashPassage_ = 0;
   std::size_t hash_ = 0;
