@@ -93,6 +93,14 @@ Vector4f colorOf(const description::Color& color, double intensity, double fourt
 
 float linear(float shown) { return shown <= 0.04045F ? shown / 12.92F : std::pow((shown + 0.055F) / 1.055F, 2.4F); }
 
+void addFog(const description::Fog& fog, Lighting& lighting) {
+  const Eigen::Vector3f color = lightOf(fog.color);
+  lighting.kinds.fog = fog.type;
+  lighting.block.fog = {color.x(), color.y(), color.z(), static_cast<float>(std::max(fog.density, 0.0))};
+  const double length = std::max(fog.end - fog.start, 1e-6);
+  lighting.block.fogPlace = {static_cast<float>(fog.start), static_cast<float>(1 / length), 0, 0};
+}
+
 void addLamp(const Lamp& lamp, const PictureView& view, const std::optional<Region>& region, int shadowEdge,
              LampBlock::Lamp& to, Lighting& lighting) {
   const Light& light = *lamp.light;
@@ -112,7 +120,7 @@ void addLamp(const Lamp& lamp, const PictureView& view, const std::optional<Regi
     lighting.block.shadowFromPlace[lighting.shadows.size()] = clipFromPlace.cast<float>();
     lighting.shadows.push_back(shadow);
   }
-  lighting.kinds.push_back(kind);
+  lighting.kinds.lamps.push_back(kind);
   const auto four = [](double x, double y, double z, double w) -> Vector4f {
     return Eigen::Vector4d(x, y, z, w).cast<float>();
   };
@@ -139,6 +147,7 @@ Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge)
   const Eigen::Vector3f background =
       surroundings.sky ? skyColors(*surroundings.sky).horizon : lightOf(surroundings.background);
   lighting.block.background = {background.x(), background.y(), background.z(), 1};
+  if (surroundings.fog) addFog(*surroundings.fog, lighting);
   return lighting;
 }
 

@@ -4,6 +4,7 @@
 #include <compare>
 #include <vector>
 
+#include "description/scene.hh"
 #include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/types.hh"
 #include "rendering/scene.hh"
@@ -25,6 +26,8 @@ struct LampBlock {
   std::array<Eigen::Matrix4f, shaders::kMostShadows> shadowFromPlace;
   Eigen::Vector4f surroundings;
   Eigen::Vector4f background;
+  Eigen::Vector4f fog;
+  Eigen::Vector4f fogPlace;
 };
 
 /// What a program must know of a lamp when it is compiled.
@@ -48,11 +51,18 @@ struct Shadow {
   bool operator==(const Shadow&) const = default;
 };
 
+/// What a program must know of the lamps in the block, and of the air, when it is compiled.
+struct LightKinds {
+  std::vector<LampKind> lamps;
+  description::Fog::Type fog = description::Fog::Type::kNone;
+
+  auto operator<=>(const LightKinds&) const = default;
+};
+
 /// How a scene is lit, seen from a camera.
 struct Lighting {
   LampBlock block;
-  /// Of each lamp in the block.
-  std::vector<LampKind> kinds;
+  LightKinds kinds;
   std::vector<Shadow> shadows;
 };
 

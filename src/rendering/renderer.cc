@@ -100,7 +100,7 @@ class Renderer::Content {
     gl_.enable(GL_FRAMEBUFFER_SRGB);
     begin(frame);
     drawBackground(scene, view, lighting.block);
-    surfaces_.setLamps(lighting.kinds);
+    surfaces_.setLight(lighting.kinds);
     const Matrix4d clip = clipFromPlace(view);
     const Program* inUse = nullptr;
     for (const Item* item : seenItems(scene, view, clip)) {
@@ -263,7 +263,7 @@ class Renderer::Content {
   }
 
   void setLighting(const LampBlock& block) {
-    static_assert(sizeof(LampBlock) == (6 * shaders::kMostLamps + 4 * shaders::kMostShadows + 2) * 4 * sizeof(float));
+    static_assert(sizeof(LampBlock) == (6 * shaders::kMostLamps + 4 * shaders::kMostShadows + 4) * 4 * sizeof(float));
     gl_.bindBuffer(GL_UNIFORM_BUFFER, lamps_);
     gl_.bufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     gl_.bindBufferBase(GL_UNIFORM_BUFFER, 0, lamps_);

@@ -66,6 +66,8 @@ layout(std140, binding = 0) uniform Lamps {
   mat4 shadowFromPlace[4];
   vec4 surroundings;  // ambient light
   vec4 background;
+  vec4 fog;       // colour; w: density
+  vec4 fogPlace;  // where it begins, and 1 / its length
 };
 layout(location = 3) uniform vec4 diffuse;
 layout(location = 4) uniform vec3 ambient;
@@ -168,7 +170,7 @@ vec3 reflected(Spot spot, int number, bool hasPlace, bool isSpot, int shadow) {
 }
 
 void main() {
-  vec3 base = diffuse.rgb, inShade = ambient, shine = emissive;
+  vec3 base = diffuse.rgb, inShade = ambient, shine = emissive, sum;
   float opacity = diffuse.a;
 #ifdef TEXTURED
   vec4 painted = texture(picture, texel);
@@ -180,7 +182,7 @@ void main() {
   shine *= texture(glow, texel).rgb;
 #endif
 #ifndef LIT
-  color = vec4(base + shine, opacity);
+  sum = base + shine;
 #else
   float metalness = finish.x, rough = finish.y;
   vec3 normal = normalize(facing) * (gl_FrontFacing ? 1.0 : -1.0), toEye = normalize(-place);
@@ -193,14 +195,18 @@ void main() {
   float cosEye = max(dot(normal, toEye), 1e-3);
   vec3 mirror = mix(0.04 * specular, base, metalness);
   Spot spot = Spot(normal, toEye, base * (1.0 - metalness), mirror, cosEye, rough * rough, metalness);
-  vec3 sum = shine + surroundings.rgb * inShade * (1.0 - metalness);
+  sum = shine + surroundings.rgb * inShade * (1.0 - metalness);
   float up = reflect(-toEye, normal).z * 0.5 + 0.5;
   vec3 mirrored = mix(surroundings.rgb * 0.5, background.rgb, smoothstep(0.35, 0.65, up));
   vec3 edge = mirror + (max(vec3(1.0 - rough), mirror) - mirror) * fifthPower(1.0 - cosEye);
   sum += edge * mirrored * mix(1.0, 0.4, rough);
   LAMPS
-  color = vec4(sum, opacity);
 #endif
+#ifdef FOG
+  float far = length(place);
+  sum = mix(fog.rgb, sum, FOG);
+#endif
+  color = vec4(sum, opacity);
 }
 )";
 

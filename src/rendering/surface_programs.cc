@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "rendering/shaders.hh"
 
@@ -12,9 +13,10 @@ namespace pongsim::rendering {
 namespace {
 
 // sets of lamps whose programs are kept: enough for lamps that are switched on and off
-constexpr std::size_t kMostLampSets = 16;
+constexpr std::size_t kMostLightSets = 16;
 
-std::string surfaceFragment(bool isLit, bool hasPicture, bool hasMaps, const std::vector<LampKind>& lamps) {
+std::string surfaceFragment(bool isLit, bool hasPicture, bool hasMaps, const LightKinds& kinds) {
+  const std::vector<LampKind>& lamps = kinds.lamps;
   std::string text = "#version 450 core\n#define LAMPS";
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     const auto word = [](bool is) { return is ? ", true" : ", false"; };
@@ -25,6 +27,10 @@ std::string surfaceFragment(bool isLit, bool hasPicture, bool hasMaps, const std
   if (isLit) text += "#define LIT\n";
   if (hasPicture) text += "#define TEXTURED\n";
   if (hasMaps) text += "#define MAPPED\n";
+  using enum description::Fog::Type;
+  if (kinds.fog == kConstant) text += "#define FOG exp(-fog.w * far)\n";
+  if (kinds.fog == kLinear) text += "#define FOG 1.0 - fog.w * clamp((far - fogPlace.x) * fogPlace.y, 0.0, 1.0)\n";
+  if (kinds.fog == kQuadratic) text += "#define FOG exp(-fog.w * fog.w * far * far)\n";
   return text + shaders::kSurfaceFragment;
 }
 
@@ -35,11 +41,11 @@ bool isMapped(const Item& item) {
                      [](const auto& picture) { return picture != nullptr; });
 }
 
-void SurfacePrograms::setLamps(const std::vector<LampKind>& lamps) {
-  inUse_ = programs_.find(lamps);
+void SurfacePrograms::setLight(const LightKinds& kinds) {
+  inUse_ = programs_.find(kinds);
   if (inUse_ != programs_.end()) return;
-  if (programs_.size() >= kMostLampSets) programs_.clear();
-  inUse_ = programs_.try_emplace(lamps).first;
+  if (programs_.size() >= kMostLightSets) programs_.clear();
+  inUse_ = programs_.try_emplace(kinds).first;
 }
 
 const Program& SurfacePrograms::of(const Item& item) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <vector>
 
 #include "rendering/gl.hh"
 #include "rendering/lighting.hh"
@@ -18,8 +17,8 @@ class SurfacePrograms {
  public:
   explicit SurfacePrograms(const Gl& gl) : gl_(gl) {}
 
-  /// Selects the lamps of what is drawn next.
-  void setLamps(const std::vector<LampKind>& lamps);
+  /// Selects the lamps and the fog of what is drawn next.
+  void setLight(const LightKinds& kinds);
 
   const Program& of(const Item& item);
 
@@ -29,9 +28,9 @@ class SurfacePrograms {
   using Programs = std::array<std::unique_ptr<const Program>, kKinds>;
 
   const Gl& gl_;
-  std::map<std::vector<LampKind>, Programs> programs_;
+  std::map<LightKinds, Programs> programs_;
   /// Those of the lamps in use.
-  std::map<std::vector<LampKind>, Programs>::iterator inUse_ = programs_.end();
+  std::map<LightKinds, Programs>::iterator inUse_ = programs_.end();
 };
 
 /// @return Whether it has textures other than its colour.
