@@ -67,7 +67,7 @@ struct Material {
   bool isDoubleSided = false;
   /// Of coinciding surfaces, the one with the highest value is visible.
   double renderOrder = 0;
-  /// `<script>`: the name of a material in one of these files, which Ogre reads and pongsim does not.
+  /// `<script>`: the name of a material, whose colours are set if it is one of Gazebo's own, and its files (not read).
   std::string scriptName;
   std::vector<std::string> scriptUris;
   /// `<shader>`; empty: none.

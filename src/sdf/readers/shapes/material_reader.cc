@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "sdf/includes/asset_file.hh"
+#include "sdf/readers/shapes/gazebo_material.hh"
 #include "sdf/text/values.hh"
 
 namespace pongsim::sdf {
@@ -54,6 +56,13 @@ description::PbrSpecular readSpecular(const Element& element, Context& context) 
 
 description::Material readMaterial(const Element& element, Context& context) {
   description::Material material;
+  if (const Element* script = element.child("script")) {
+    const std::string name = readText(*script, "name", "");
+    // its colours are those that the material has none of its own for
+    if (const description::Material* named = gazeboMaterial(name)) material = *named;
+    material.scriptName = name;
+    for (const Element* uri : script->childrenNamed("uri")) material.scriptUris.push_back(uri->text);
+  }
   material.ambient = readColor(element, "ambient", material.ambient, context);
   material.diffuse = readColor(element, "diffuse", material.diffuse, context);
   material.specular = readColor(element, "specular", material.specular, context);
@@ -61,10 +70,6 @@ description::Material readMaterial(const Element& element, Context& context) {
   material.isLit = readFlag(element, "lighting", material.isLit, context);
   material.isDoubleSided = readFlag(element, "double_sided", material.isDoubleSided, context);
   material.renderOrder = readNumber(element, "render_order", material.renderOrder, context);
-  if (const Element* script = element.child("script")) {
-    material.scriptName = readText(*script, "name", "");
-    for (const Element* uri : script->childrenNamed("uri")) material.scriptUris.push_back(uri->text);
-  }
   if (const Element* shader = element.child("shader")) {
     constexpr std::array<std::string_view, 4> kShaders{"pixel", "vertex", "normal_map_object_space",
                                                        "normal_map_tangent_space"};
