@@ -6,10 +6,10 @@
 
 namespace pongsim {
 
-/// Properties of links, collisions, joints and visuals that are changed between two steps, so that a world differs from its file
-/// in them without being loaded again. They are part of saved states, and a reset brings those of the file back. Must
-/// not outlive the `Simulation`. Systems that have read a property before, such as a controller that knows the mass of
-/// its robot, go on with the old one.
+/// Properties of links, collisions, joints and visuals that are changed between two steps, so that a world differs from
+/// its file in them without being loaded again. They are part of saved states, and a reset brings those of the file
+/// back. Must not outlive the `Simulation`. Systems that have read a property before, such as a controller that knows
+/// the mass of its robot, go on with the old one.
 class PONGSIM_API PhysicalProperties {
  public:
   explicit PhysicalProperties(const World& world) : access_(world.access_) {}
@@ -36,8 +36,8 @@ class PONGSIM_API PhysicalProperties {
   /// Changes the friction [N m or N] of a joint's axis; `Joint::friction` tells it.
   Outcome<void> setFriction(const Joint& joint, double friction, int axis = 0);
 
-  /// Changes the colour in which cameras see a visual, until a reset; its textures are tinted with it. Colours are no part
-  /// of saved states, because nothing moves by them, and the scene message keeps those of the file.
+  /// Changes the colour in which cameras see a visual, until a reset; its textures are tinted with it. Colours are no
+  /// part of saved states, because nothing moves by them, and the scene message keeps those of the file.
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
   Outcome<void> setColor(VisualId visual, const Vector3& color);
 

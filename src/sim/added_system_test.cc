@@ -72,7 +72,8 @@ TEST_F(AddedSystemTest, IsNoPartOfTheStateIfItOnlyWatches) {
   const std::vector<std::byte> before = simulation_->saveState();
   Element plugin;
   plugin.name = "plugin";
-  plugin.attributes = {{"filename", "ignition-gazebo-breadcrumbs-system", {}}, {"name", "ignition::gazebo::systems::Breadcrumbs", {}}};
+  plugin.attributes = {{"filename", "ignition-gazebo-breadcrumbs-system", {}},
+                       {"name", "ignition::gazebo::systems::Breadcrumbs", {}}};
   // what can't be used is not there
   EXPECT_FALSE(simulation_->addWatcher(plugin, diagnostics_));
   EXPECT_FALSE(diagnostics_.all().empty());

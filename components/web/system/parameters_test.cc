@@ -36,8 +36,7 @@ TEST(WebParameters, AreThoseOfOurs) {
   const WebParameters parameters =
       read({element("port", "8080"), element("origin", "https://a.example"), element("origin", "https://b.example"),
             element("writing_origin", "https://c.example"), element("read_only", "true"),
-            element("framing_origin", "http://localhost:*"),
-            element("certificate", "c.pem"), element("key", "k.pem")});
+            element("framing_origin", "http://localhost:*"), element("certificate", "c.pem"), element("key", "k.pem")});
   const ServerSettings settings = serverSettings(parameters, "", "");
   EXPECT_EQ(settings.port, 8080);
   EXPECT_EQ(settings.access.readingOrigins, (std::vector<std::string>{"https://a.example", "https://b.example"}));
