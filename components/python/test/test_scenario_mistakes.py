@@ -99,7 +99,7 @@ def test_a_world_with_an_error_is_told_with_its_place(tmp_path):
 
 
 @pytest.mark.parametrize("arguments, words", [
-    ([], "which scenarios?"), (["--jobs", "0", "s.yaml"], "invalid number value"), (["--bla"], "there is no option --bla (there is: "), (["--junti", "x"], "there is no option --junti (did you mean '--junit'?)"),
+    ([], "which scenarios?"), (["--jobs", "0", "s.yaml"], "invalid number value"), (["--bla"], "there is no option --bla ("), (["--junti", "x"], "there is no option --junti (did you mean '--junit'?)"),
     (["nowhere.yaml"], "nowhere.yaml: No such file or directory"),
 ])
 def test_of_the_command_line(tmp_path, arguments, words):

@@ -240,13 +240,14 @@ def test_a_program_may_end_if_it_says_so(tmp_path):
 
 
 def test_programs_get_their_environment_and_a_domain_of_their_own(tmp_path):
-    text = LANDS + PROGRAM.format("echo $$PONGSIM_DOMAIN $$MINE; pwd; exec sleep 60",
-                                  "    environment: {MINE: 7}\n    folder: sub\n    ready: {prints: sub}\n")
+    text = LANDS + PROGRAM.format("echo $$PONGSIM_DOMAIN $$MINE; pwd; echo $$ROS_DOMAIN_ID $$IGN_PARTITION $$GZ_PARTITION; exec sleep 60",
+                                  "    environment: {MINE: 7}\n    folder: sub\n    ready: {prints: pongsim-test-}\n")
     (tmp_path / "sub").mkdir()
     code, out, _ = run(tmp_path, text.replace("eventually", "never") + "seeds: 2\n")
     assert code == 1
     said = [(tmp_path / f"test-failures/s.seed={seed}/log.txt").read_text() for seed in (0, 1)]
-    domains = [re.search(r"sh printed:\n(\d+) 7\n\S+/sub", text).group(1) for text in said]
+    pattern = r"sh printed:\n(\d+) 7\n\S+/sub\n\1 (pongsim-test-\d+) \2\n"
+    domains = [re.search(pattern, text).group(1) for text in said]
     assert len(set(domains)) == 2
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import heapq
 import itertools
+import os
 import time
 import warnings
 from typing import Iterator
@@ -75,26 +76,35 @@ class _Attempt:
 
     def make(self, noted: Noted) -> None:
         """Makes the run. Raises what keeps it from its end."""
-        case = self.case
-        number: int | None = None
         with contextlib.ExitStack() as stack:
-            if case.programs:
-                number = stack.enter_context(domain())
+            number = self._apart(stack)
             stack.callback(self._end_programs)
-            for program in case.programs:
-                self.beside.append(Beside(program, number or 0, noted))
+            for program in self.case.programs:
+                self.beside.append(Beside(program, noted))
             with self._world(number) as sim:
                 try:
                     self._run(sim)
                 finally:
                     self.result.sim_time = sim.time
 
+    def _apart(self, stack: contextlib.ExitStack) -> int:
+        """Keeps the run apart from others until the end of the stack. Returns its domain; 0: none is left, and it needs
+        none."""
+        try:
+            number = stack.enter_context(domain())
+        except OSError:
+            if self.case.programs:
+                raise
+            return 0
+        stack.enter_context(_environment(number))
+        return number
+
     def _end_programs(self) -> None:
         for each in self.beside:
             self.result.printed[each.program.name] = each.end()
 
     @contextlib.contextmanager
-    def _world(self, number: int | None) -> Iterator[Simulation]:
+    def _world(self, number: int) -> Iterator[Simulation]:
         case = self.case
         world = case.text if case.text is not None else case.world
         added = "".join((*case.systems, self.recorder))
@@ -102,8 +112,9 @@ class _Attempt:
             world = with_system(text_of(case), added)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", WorldWarning)
-            sim = Simulation(world, file=case.world, seed=case.run.seed, strict=True, network=number is not None,
-                             domain=number)
+            network = bool(case.programs)
+            sim = Simulation(world, file=case.world, seed=case.run.seed, strict=True, network=network,
+                             domain=number if network else None)
         self.result.warnings = [str(each.message) for each in caught if issubclass(each.category, WorldWarning)]
         with sim:
             yield sim
@@ -185,6 +196,23 @@ class _Attempt:
         for number in [each for each in self.waiting if monitor.verdict(each)[0] == "met"]:
             publication = self.waiting.pop(number)
             self._put(publication, sim.time + publication.time)
+
+
+@contextlib.contextmanager
+def _environment(number: int) -> Iterator[None]:
+    """Sets the variables that keep a run and its programs apart from others: of pongsim's topics, ROS 2 and Gazebo."""
+    own = f"pongsim-test-{os.getpid()}"
+    variables = {"PONGSIM_DOMAIN": str(number), "ROS_DOMAIN_ID": str(number), "IGN_PARTITION": own, "GZ_PARTITION": own}
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 def text_of(case: Case) -> str:

@@ -41,12 +41,12 @@ def _begin() -> None:
 class Beside:
     """A running program with all that it starts: a group of processes of its own."""
 
-    def __init__(self, program: Program, domain: int, noted: Noted) -> None:
+    def __init__(self, program: Program, noted: Noted) -> None:
         """Starts it. Raises ProgramError."""
         self.program = program
         self._noted = noted
         self._output: IO[bytes] = tempfile.TemporaryFile()
-        environment = {**os.environ, "PONGSIM_DOMAIN": str(domain), **program.environment}
+        environment = {**os.environ, **program.environment}
         try:
             self._process = subprocess.Popen(
                 program.command, cwd=program.folder, env=environment, stdin=subprocess.DEVNULL, stdout=self._output,
