@@ -1,6 +1,7 @@
 #include "ros2/controllers/controller_manager.hh"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "pongsim/parameters.hh"
@@ -154,7 +155,13 @@ Outcome<void> ControllerManager::configure(const std::string& name) {
                               [this] { return now_; },
                               rate,
                               options_.tellsTransforms};
-  Outcome<void> outcome = loaded.controller->configure(setup);
+  Outcome<void> outcome;
+  try {
+    outcome = loaded.controller->configure(setup);
+  } catch (const std::invalid_argument& invalid) {
+    // a name that a rule gives a topic
+    outcome.error = invalid.what();
+  }
   if (!loaded.parameters.errors().empty()) outcome.error = "parameter " + joined(loaded.parameters.errors());
   if (!outcome) {
     loaded.controller = makeController(loaded.type);

@@ -25,11 +25,11 @@ std::string turningLink(const std::string& name, const std::string& side) {
          "_link</child><axis><xyz>0 0 1</xyz></axis></joint>";
 }
 
-ControlledRobot robotWith(const std::string& parameters, double rate = 1000) {
+ControlledRobot robotWith(const std::string& parameters, double rate = 1000, const std::string& remap = "") {
   return {test::worldOf(test::inWorld("<model name='m'><link name='base'/><joint name='hold' type='fixed'>"
                                       "<parent>world</parent><child>base</child></joint>" +
                                       turningLink("a", "1") + turningLink("b", "-1") + "</model>")),
-          "m", parameters, rate};
+          "m", parameters, rate, remap};
 }
 
 const std::string kThree =
@@ -97,6 +97,15 @@ TEST(ControllerManager, SaysWhichClassesItDoesNotKnow) {
   EXPECT_EQ(robot.manager().load("none").error,
             "controller 'none' has no 'type' in the parameters of '/controller_manager'");
   for (const ControllerType& type : controllerTypes()) EXPECT_NE(makeController(type.name), nullptr) << type.name;
+}
+
+TEST(ControllerManager, RefusesNamesThatAreNone) {
+  ControlledRobot robot = robotWith(kThree, 1000, "~/commands:=/no-name");
+  EXPECT_EQ(robot.manager().load("a-b").error,
+            "controller 'a-b': its name has a '-', which ROS does not allow in names");
+  ASSERT_EQ(robot.manager().load("speeds").error, "");
+  EXPECT_EQ(robot.manager().configure("speeds").error,
+            "controller 'speeds': topic '/no-name' has a '-', which ROS does not allow in names");
 }
 
 TEST(ControllerManager, TakesFilesThatASpawnerNames) {

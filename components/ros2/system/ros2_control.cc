@@ -169,6 +169,10 @@ class Ros2Control final : public System {
     }
     if (!home || place_ == "outside" || (place_ == "auto" && (isElsewhere || !hasFile))) return;
     if (options.nameSpace.empty()) options.nameSpace = "/";
+    const std::string manager = absoluteName(options.nameSpace, options.name);
+    if (const auto error = rosNameError(manager)) {
+      refuse(context.sdf, "the controller manager's name '" + manager + "' " + *error);
+    }
     if (const Element* ros = context.sdf.child("ros")) {
       for (const Element* remap : ros->childrenNamed("remapping")) {
         if (options.remaps.add(remap->text)) continue;

@@ -30,8 +30,9 @@ class ControlledRobot {
  public:
   /// @param world Its systems are not loaded.
   /// @param parameters Content of the manager's parameter file.
+  /// @param remap A rule for the controllers' topics, unless it is empty.
   ControlledRobot(std::unique_ptr<Simulation> world, const std::string& model, const std::string& parameters,
-                  double rate = 1000)
+                  double rate = 1000, const std::string& remap = "")
       : simulation_(std::move(world)), model_(simulation_->world().model(model).value()) {
     std::vector<ControlledJoint> joints;
     for (const Joint& joint : model_.joints()) {
@@ -47,6 +48,7 @@ class ControlledRobot {
     ControllerManager::Options options;
     options.name = "controller_manager";
     options.rate = rate;
+    options.remaps.add(remap);
     EXPECT_EQ(options.files.read(folder_.write("controllers.yaml", parameters)), "");
     manager_.emplace(beside_, hardware_, model_, node_, log_, std::move(options));
   }
