@@ -20,6 +20,7 @@
 #include <string>
 #include <utility>
 
+#include "ros2/wire/burst_limit.hh"
 #include "ros2/wire/discovery_guard.hh"
 #include "ros2/wire/local_channel.hh"
 
@@ -149,6 +150,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
   UdpSocket sender_;
   /// One per interface.
   std::vector<UdpSocket> groupSenders_;
+  BurstLimit bursts_;
   DiscoveryGuard guard_;
   mutable std::mutex mutex_;
   std::map<Key, std::unique_ptr<LocalChannel>> channels_;
@@ -264,6 +266,7 @@ bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps:
     const Locator_t& to = *begin;
     if (!is_locator_allowed(to)) continue;
     if (!isMulticast(to)) {
+      if (isOwn(addressOf(to))) bursts_.awaitRoom(static_cast<std::uint16_t>(to.port), size);
       sendBy(sender_, bytes, size, to);
       continue;
     }
