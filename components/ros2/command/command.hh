@@ -10,6 +10,7 @@ namespace pongsim::ros2 {
 // The actions of `pongsim ros2` (`cli::AddCommand`), which main.cc lists.
 void addCheckAction(CLI::App& program, cli::Work& work);
 void addCreateAction(CLI::App& program, cli::Work& work);
+void addDoctorAction(CLI::App& program, cli::Work& work);
 void addNodesAction(CLI::App& program, cli::Work& work);
 void addTopicsAction(CLI::App& program, cli::Work& work);
 

@@ -6,6 +6,7 @@ namespace {
 constexpr pongsim::cli::AddCommand kActions[] = {
     pongsim::ros2::addTopicsAction,
     pongsim::ros2::addNodesAction,
+    pongsim::ros2::addDoctorAction,
     pongsim::ros2::addCreateAction,
     pongsim::ros2::addCheckAction,
 };
