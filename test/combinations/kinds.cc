@@ -153,11 +153,13 @@ void addSensors(std::vector<Kind>& kinds) {
       "<lidar><scan><horizontal><samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></"
       "scan>"
       "<range><min>0.3</min><max>10</max></range></lidar>";
-  for (const char* type :
-       {"boundingbox", "boundingbox_camera", "camera", "depth", "depth_camera", "rgbd", "rgbd_camera", "segmentation",
-        "segmentation_camera", "thermal", "thermal_camera", "wide_angle_camera", "wideanglecamera"}) {
+  for (const char* type : {"boundingbox", "boundingbox_camera", "camera", "depth", "depth_camera", "rgbd",
+                           "rgbd_camera", "segmentation", "segmentation_camera", "thermal", "thermal_camera"}) {
     kinds.push_back(sensorKind(type, cameras, camera));
   }
+  std::string wide = camera;
+  wide.insert(wide.find("</camera>"), "<lens><env_texture_size>8</env_texture_size></lens>");
+  for (const char* type : {"wide_angle_camera", "wideanglecamera"}) kinds.push_back(sensorKind(type, cameras, wide));
   for (const char* type : {"gpu_lidar", "gpu_ray", "lidar", "ray"}) kinds.push_back(sensorKind(type, cameras, beams));
   kinds.push_back(sensorKind("air_pressure", plugin("air-pressure", "AirPressure"), ""));
   kinds.push_back(sensorKind("air_speed", plugin("air-speed", "AirSpeed"), ""));
