@@ -389,7 +389,7 @@ TEST_F(Cameras, ThatCantBeAreLeftOutWithAWarning) {
     const char* said;
   };
   for (const auto& [content, said] :
-       {Case{"<image><width>60000</width><height>60000</height></image>", "more than 16000000 pixels"},
+       {Case{"<image><width>100000</width><height>100000</height></image>", "more than 16000000 pixels"},
         Case{"<image><width>8</width><height>8</height><format>BAYER_RGGB8</format></image>", "<format>"},
         Case{"<triggered>true</triggered>", "has no <trigger_topic>"}, Case{"<save enabled='true'/>", "no <path>"},
         Case{"<horizontal_fov>3.2</horizontal_fov>", "too wide for a pinhole camera"}}) {
