@@ -41,6 +41,18 @@ class PONGSIM_API PhysicalProperties {
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
   Outcome<void> setColor(VisualId visual, const Vector3& color);
 
+  /// Positions between which a joint's axis moves [rad or m], and the largest force or torque of its motor and of
+  /// commands [N m or N]. With `lower` and `upper` the same, it is locked there. May be infinite; NaN is refused.
+  struct Bounds {
+    double lower = 0;
+    double upper = 0;
+    double effort = 0;
+  };
+  /// @param axis Below `Joint::axisCount()`.
+  Bounds bounds(const Joint& joint, int axis = 0) const;
+  /// Changes them; `Joint::axisInfo` tells those of the file.
+  Outcome<void> setBounds(const Joint& joint, const Bounds& bounds, int axis = 0);
+
  private:
   Outcome<void> setResistance(const Joint& joint, const char* what, double number, int axis);
   sim::Access* access_;

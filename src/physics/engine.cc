@@ -482,6 +482,16 @@ void Engine::setResistance(world::Slot joint, std::size_t axis, const Resistance
   parts_->stepper.forgetRest();
 }
 
+Engine::Bounds Engine::bounds(world::Slot joint, std::size_t axis) const {
+  const Joint::Bounds bounds = parts_->joints[joint]->bounds(axis);
+  return {bounds.lower, bounds.upper, bounds.effort};
+}
+
+void Engine::setBounds(world::Slot joint, std::size_t axis, const Bounds& bounds) {
+  parts_->joints[joint]->setBounds({bounds.lower, bounds.upper, bounds.effort}, axis);
+  parts_->stepper.forgetRest();
+}
+
 world::Slot Engine::slowedDown() const { return parts_->stepper.slowedDown(); }
 
 std::optional<Engine::Crowding> Engine::crowding() const {

@@ -155,6 +155,17 @@ class Engine {
   /// The numbers must be finite and not negative.
   void setResistance(world::Slot joint, std::size_t axis, const Resistance& resistance);
 
+  /// Positions between which an axis moves [rad or m], locked if both are the same, and the effort of its motor and its
+  /// commands [N m or N]. May be infinite.
+  struct Bounds {
+    double lower = 0;
+    double upper = 0;
+    double effort = 0;
+  };
+  Bounds bounds(world::Slot joint, std::size_t axis) const;
+  /// `lower` must not be above `upper`, `effort` not negative, and no number NaN.
+  void setBounds(world::Slot joint, std::size_t axis, const Bounds& bounds);
+
   /// Takes links and their joints out of all steps, or back into them, after `entities` has set them aside or returned
   /// them. They keep their state. Contacts that still exist on return start with their former forces, so that links in
   /// contact only with others that have not moved continue with the same bits.

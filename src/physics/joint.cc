@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -49,6 +50,18 @@ btVector3 secondAxisOf(const description::Joint& joint) {
   return toBullet(Vector3(turnOf(joint).conjugate() * joint.axes[1].xyz));
 }
 
+// A number or infinity, of which archives read only the former.
+void transferBound(StateArchive& archive, double& bound) {
+  bool isInfinite = std::isinf(bound);
+  bool isNegative = bound < 0;
+  archive(isInfinite);
+  archive(isNegative);
+  double finite = isInfinite ? 0 : bound;
+  archive(finite);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (archive.isGiving()) bound = !isInfinite ? finite : isNegative ? -kInfinity : kInfinity;
+}
+
 // angle of a vector about x, counted from y
 double angleAboutX(const btVector3& v) { return math::atan2(v.z(), v.y()); }
 
@@ -89,7 +102,7 @@ Joint::Joint(const description::Joint& description, const JointEnd& parent, cons
       secondAxis_(secondAxisOf(description)),
       parentMoves_(parent.moves),
       childMoves_(child.moves) {
-  for (std::size_t i = 0; i < axisCount_; ++i) axes_[i].limits = Limits(description.axes[i]);
+  for (std::size_t i = 0; i < axisCount_; ++i) axes_[i].limits = axes_[i].ofFile = Limits(description.axes[i]);
   if (type_ != JointType::kGearbox) return;
   gearbox_ = std::make_unique<Gearbox>(description.gearboxRatio, *reference.body, reference.moves,
                                        alongAxis(reference.X_BodyJoint, description));
@@ -237,11 +250,15 @@ void Joint::transfer(StateArchive& archive) {
     if (archive.isGiving()) axis.velocityTarget = hasTarget ? std::optional(0.0) : std::nullopt;
     if (hasTarget) archive(*axis.velocityTarget);
     for (double* value : {&axis.force, &axis.position, &axis.velocity, &axis.appliedForce}) archive(*value);
-    archive(axis.isResistanceChanged);
-    if (axis.isResistanceChanged) {
-      archive(axis.limits.damping);
-      archive(axis.limits.friction);
-      archive.check(axis.limits.damping >= 0 && axis.limits.friction >= 0);
+    archive(axis.areLimitsChanged);
+    if (axis.areLimitsChanged) {
+      Limits& limits = axis.limits;
+      archive(limits.damping);
+      archive(limits.friction);
+      for (double* bound : {&limits.lower, &limits.upper, &limits.effort}) transferBound(archive, *bound);
+      archive.check(limits.damping >= 0 && limits.friction >= 0 && limits.lower <= limits.upper && limits.effort >= 0);
+    } else if (archive.isGiving()) {
+      axis.limits = axis.ofFile;
     }
     transferVector(archive, axis.appliedAlong);
     archive.check(std::abs(axis.velocityTarget.value_or(0)) <= description::kFastestSaved &&

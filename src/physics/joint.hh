@@ -76,7 +76,23 @@ class Joint final {
   void setResistance(const Resistance& resistance, std::size_t axis) {
     axes_[axis].limits.damping = resistance.damping;
     axes_[axis].limits.friction = resistance.friction;
-    axes_[axis].isResistanceChanged = true;
+    axes_[axis].areLimitsChanged = true;
+  }
+  /// How far and how strongly an axis moves: positions [rad or m], locked if both are the same, and the effort of its
+  /// motor and its commands [N m or N]. May be infinite.
+  struct Bounds {
+    double lower = 0;
+    double upper = 0;
+    double effort = 0;
+  };
+  Bounds bounds(std::size_t axis) const {
+    return {axes_[axis].limits.lower, axes_[axis].limits.upper, axes_[axis].limits.effort};
+  }
+  void setBounds(const Bounds& bounds, std::size_t axis) {
+    axes_[axis].limits.lower = bounds.lower;
+    axes_[axis].limits.upper = bounds.upper;
+    axes_[axis].limits.effort = bounds.effort;
+    axes_[axis].areLimitsChanged = true;
   }
   /// @return Whether any axis has a nonzero commanded force or velocity.
   bool isDriven() const;
@@ -142,8 +158,9 @@ class Joint final {
   };
   struct Axis {
     Limits limits;
-    /// Whether damping and friction are no longer those of the description.
-    bool isResistanceChanged = false;
+    /// Those of the description, and whether others are in their place.
+    Limits ofFile;
+    bool areLimitsChanged = false;
     std::optional<double> velocityTarget;
     /// Where the axis follows another one.
     const Joint* leader = nullptr;

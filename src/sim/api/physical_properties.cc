@@ -100,4 +100,21 @@ Outcome<void> PhysicalProperties::setFriction(const Joint& joint, double frictio
   return setResistance(joint, "friction", friction, axis);
 }
 
+PhysicalProperties::Bounds PhysicalProperties::bounds(const Joint& joint, int axis) const {
+  const physics::Engine::Bounds bounds =
+      access_->engine.bounds(sim::slotOf(*access_, joint.id()), static_cast<std::size_t>(axis));
+  return {bounds.lower, bounds.upper, bounds.effort};
+}
+
+Outcome<void> PhysicalProperties::setBounds(const Joint& joint, const Bounds& bounds, int axis) {
+  const world::Slot slot = sim::slotOf(*access_, joint.id());
+  const std::string of = " of joint '" + std::string(joint.name()) + "'";
+  if (axis < 0 || axis >= joint.axisCount()) return {"there is no axis " + std::to_string(axis) + of};
+  // a comparison with NaN is false
+  if (!(bounds.lower <= bounds.upper)) return {"the lower limit" + of + " must not be above the upper one"};
+  if (!(bounds.effort >= 0)) return {"the effort" + of + " must not be below 0"};
+  access_->engine.setBounds(slot, static_cast<std::size_t>(axis), {bounds.lower, bounds.upper, bounds.effort});
+  return {};
+}
+
 }  // namespace pongsim

@@ -75,6 +75,43 @@ TEST_F(PhysicalPropertiesTest, DampingAndFrictionOfAJoint) {
   EXPECT_LT(joint().velocity(), 0.9);
 }
 
+TEST_F(PhysicalPropertiesTest, BoundsOfAJoint) {
+  const PhysicalProperties::Bounds ofFile = properties().bounds(joint());
+  joint().setVelocityTarget(1);
+  simulation_->step(100);
+  EXPECT_NEAR(joint().velocity(), 1, 1e-6);
+  const std::vector<std::byte> free = simulation_->saveState();
+  const double stuck = joint().position();
+  // locked against a motor without a limit
+  ASSERT_TRUE(properties().setBounds(joint(), {stuck, stuck, ofFile.effort}));
+  joint().setVelocityTarget(1);
+  simulation_->step(500);
+  EXPECT_NEAR(joint().position(), stuck, 1e-4);
+  const std::vector<std::byte> locked = simulation_->saveState();
+  // a state from before has the file's again
+  ASSERT_TRUE(simulation_->restoreState(free));
+  EXPECT_EQ(properties().bounds(joint()).upper, ofFile.upper);
+  simulation_->step(100);
+  EXPECT_GT(joint().position(), stuck + 0.05);
+  ASSERT_TRUE(simulation_->restoreState(locked));
+  EXPECT_EQ(properties().bounds(joint()).upper, stuck);
+  EXPECT_EQ(properties().bounds(joint()).effort, ofFile.effort);
+  ASSERT_TRUE(properties().setBounds(joint(), {ofFile.lower, ofFile.upper, 0}));
+  joint().setVelocityTarget(5);
+  simulation_->step(100);
+  EXPECT_NEAR(joint().velocity(), 0, 0.1);
+}
+
+TEST_F(PhysicalPropertiesTest, OfAStateReplaceThoseThatHaveChangedSince) {
+  const std::vector<std::byte> plain = simulation_->saveState();
+  ASSERT_TRUE(properties().setDamping(joint(), 2));
+  ASSERT_TRUE(properties().setFriction(joint(), 3));
+  ASSERT_TRUE(simulation_->restoreState(plain));
+  EXPECT_EQ(joint().axisInfo().damping, 0);
+  EXPECT_EQ(joint().friction(), 0);
+  EXPECT_EQ(simulation_->saveState(), plain);
+}
+
 TEST_F(PhysicalPropertiesTest, AreSavedAndReset) {
   const std::vector<std::byte> plain = simulation_->saveState();
   ASSERT_TRUE(properties().setMass(box(), 4, 3));
@@ -110,6 +147,10 @@ TEST_F(PhysicalPropertiesTest, RefuseWhatIsImpossible) {
   }
   EXPECT_FALSE(properties().setSurface(skin(), {1, 1, 1.5}));
   EXPECT_FALSE(properties().setDamping(joint(), 1, 1));
+  EXPECT_FALSE(properties().setBounds(joint(), {0, 0, 1}, 1));
+  EXPECT_FALSE(properties().setBounds(joint(), {1, 0, 1}));
+  EXPECT_FALSE(properties().setBounds(joint(), {NAN, NAN, 1}));
+  EXPECT_FALSE(properties().setBounds(joint(), {0, 0, -1}));
   EXPECT_FALSE(properties().setMass(simulation_->world().model("ground")->link("l").value(), 1, 1));
   EXPECT_EQ(simulation_->saveState(), before);
 }
