@@ -50,6 +50,22 @@ TEST(Run, PrintsTheStateHashAsOftenAsAsked) {
   EXPECT_EQ(found[3], hashAfter("500"));
 }
 
+TEST(Run, MakesFaultsOnPurposeInAnyWorld) {
+  const auto with = [](const std::string& fault) {
+    return runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", "100", "--hash", "--fault", fault});
+  };
+  const Outcome wrong = with("stick joint=pong_bot::left_whel_joint");
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_NE(wrong.error.find("--fault:1:7: error: there is no joint 'pong_bot::left_whel_joint'\n"
+                             "  hint: did you mean 'pong_bot::left_wheel_joint'?"),
+            std::string::npos)
+      << wrong.error;
+  EXPECT_EQ(with("joint=pong_bot::left_wheel_joint").exitCode, 2);
+  const Outcome right = with("stick joint=pong_bot::left_wheel_joint from=0.05 to=0.06");
+  EXPECT_EQ(right.exitCode, 0) << right.error;
+  EXPECT_EQ(right.output, with("stick joint=pong_bot::left_wheel_joint from=0.05 to=0.06").output);
+}
+
 TEST(Run, NeedsANumberOfStepsBetweenStateHashes) {
   for (const char* wrong : {"0", "-5", "1.5", "often"}) {
     const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "--hash-every", wrong});

@@ -141,7 +141,10 @@ void addClassMarkdown(const std::string& name, const Declaration& declaration, c
 
 /// @return The name used in Fortress's worlds, or in those of later releases for a system that only they have.
 std::string worldsFilename(const std::string& name, std::string_view className) {
-  return (className.starts_with("gz::") ? "gz-sim-" : "ignition-gazebo-") + name + "-system";
+  const char* const project = className.starts_with("gz::")        ? "gz-sim-"
+                              : className.starts_with("pongsim::") ? "pongsim-"
+                                                                   : "ignition-gazebo-";
+  return project + name + "-system";
 }
 
 }  // namespace

@@ -25,6 +25,7 @@
 #include "cli/options/offline_option.hh"
 #include "cli/options/secure_option.hh"
 #include "cli/replay/recorded_world.hh"
+#include "cli/run/fault_argument.hh"
 #include "cli/run/fortress_environment.hh"
 #include "cli/run/fortress_run_options.hh"
 #include "cli/run/input_recording.hh"
@@ -346,6 +347,18 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--hash", options->hash, "Print a hash of the state's bits at the end");
   add("--hash-every", "N", "Print that hash every N steps, too",
       [options](const std::string& text) { options->hashPeriod = wholeNumber("--hash-every", text, 1); });
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--fault",
+          [options](const std::vector<std::string>& faults) {
+            for (const std::string& fault : faults) addFault(fault, options->additions.systems);
+          },
+          "A fault on purpose, \"drop topic=/lidar probability=0.3 from=2 to=5\"; the option can be\n"
+          "repeated. TYPE is drop, duplicate, delay, noise, freeze, sensor, stick, slip or weaken;\n"
+          "'pongsim plugin -i faults' and its page say more")
+      ->type_name("FAULT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addNetworkOption(*command);
   addSecureOption(*command);
   addOfflineOption(*command);
@@ -359,7 +372,9 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000\n"
       "  pongsim run worlds/pong_world.sdf --record-inputs run.inputs\n"
-      "  pongsim run worlds/pong_lidar.sdf -z 0 --lockstep /cmd_vel:100 --lockstep-start /lidar");
+      "  pongsim run worlds/pong_lidar.sdf -z 0 --lockstep /cmd_vel:100 --lockstep-start /lidar\n"
+      "  pongsim run worlds/pong_lidar.sdf --fault \"delay topic=/cmd_vel delay=0.2\" --fault \"freeze topic=/lidar "
+      "from=5\"");
   for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
   command->callback([options, &work, command, known = std::vector(extensions.begin(), extensions.end())] {
     for (const Extension& extension : known) checkExcluded(*command, extension);
