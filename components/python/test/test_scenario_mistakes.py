@@ -34,6 +34,7 @@ IN_THE_FILE = {
     "unused": (LANDS + "parameters: {height: {values: [1]}}\n", "s.yaml:6:14: error: parameter 'height' is not used"),
     "a program": (LANDS + "programs: [{comand: x}]\n", "a program has no 'comand' (did you mean 'command'?)"),
     "ready": (LANDS + "programs: [{command: x, ready: {prints: '('}}]\n", "'(' is not a regular expression"),
+    "a request": (LANDS + "request: [{service: /x, message: {}}]\n", "a request has no 'type' (for example type: EntityFactory)"),
     "a system": (LANDS + "systems: [{filename: x}]\n", "a system has no 'name'"),
     "xml": (LANDS + "systems: [{filename: x, name: y, xml: <a>}]\n", "s.yaml:6:39: error: 'xml' is not the inside of a <plugin>: mismatched tag"),
     "keep": (LANDS + "keep: [recordings]\n", "there is no 'recordings' to keep (did you mean 'recording'?)"),

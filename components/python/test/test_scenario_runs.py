@@ -130,6 +130,24 @@ expect:
     assert "ok   s.yaml rate=50 seed=0" in out and "FAIL s.yaml rate=10 seed=0" in out
 
 
+def test_services_are_called(tmp_path):
+    text = HEAD + """request:
+  - {service: /world/w/set_pose, type: Pose, message: {name: ball, position: {x: 3, z: 5}}, at: 0.1}
+  - {service: /world/w/remove, type: Entity, message: 'name: "ball", type: MODEL', after: {velocity: ball, is: {z: {below: -5}}}}
+expect:
+  - {pose: ball, eventually: {x: 3, z: {above: 4.9}}, within: 0.11}
+  - {pose: ball, never: {z: {below: 1}}}
+"""
+    code, out, _ = run(tmp_path, text)
+    assert code == 0, out
+    code, out, _ = run(tmp_path, text.replace("name: ball, position", "name: bell, position"))
+    assert code == 1 and "s.yaml:4:5: service '/world/w/set_pose' refused: there is no model 'bell'; did you mean 'ball'?" in out, out
+    code, out, _ = run(tmp_path, text.replace("/world/w/set_pose", "/world/w/set_pos"))
+    assert code == 1 and "s.yaml:4:5: this simulation has no service '/world/w/set_pos'" in out, out
+    code, out, _ = run(tmp_path, text.replace("type: Pose,", "type: Pos,"))
+    assert code == 2 and "s.yaml:4:5: error: " in out, out
+
+
 def test_a_robot_without_a_world_is_tested_too(tmp_path):
     write(tmp_path, "r.urdf", "<robot name='r'><link name='l'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0'"
           " ixz='0' iyz='0'/></inertial></link></robot>")

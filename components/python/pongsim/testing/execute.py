@@ -11,7 +11,7 @@ import warnings
 from typing import Iterator
 
 from .. import _core
-from ..errors import LoadError, SystemFailed, WorldWarning, describe
+from ..errors import LoadError, ServiceError, SystemFailed, WorldWarning, describe
 from ..simulation import Simulation
 from ..sweep.errors import SweepError, nearest
 from ..sweep.execute import WallLimit, wall_limit
@@ -157,6 +157,10 @@ class _Attempt:
 
     def _check(self, sim: Simulation, publication: Publication) -> None:
         """Raises ValueError and TypeError if the message can't be published."""
+        if publication.reply:
+            _core.message_type(publication.type)
+            _core.message_type(publication.reply)
+            return
         topic = publication.topic if publication.topic.startswith("/") else "/" + publication.topic
         if not publication.type and topic not in sim.topics:
             raise ValueError(f"the world has no topic {topic} ({nearest(topic, sim.topics)}; or give its 'type')")
@@ -186,11 +190,22 @@ class _Attempt:
         while self.due and self.due[0][0] <= sim.time + 5e-10:
             when, _, publication = heapq.heappop(self.due)
             try:
-                sim.publish(publication.topic, publication.message, type=publication.type)
+                if publication.reply:
+                    self._request(sim, publication)
+                else:
+                    sim.publish(publication.topic, publication.message, type=publication.type)
             except (ValueError, TypeError) as error:
                 raise Mistake(f"{publication.at}: error: {error}") from None
             if publication.every:
                 self._put(publication, when + publication.every)
+
+    def _request(self, sim: Simulation, request: Publication) -> None:
+        try:
+            answer = sim.request(request.topic, request.message, type=request.type, reply=request.reply)
+        except ServiceError as error:
+            raise ProgramError(f"{request.at}: {error}") from None
+        if isinstance(answer, dict) and answer.get("data") is False:
+            raise ProgramError(f"{request.at}: the service {request.topic} answered false at {sim.time:g} s")
 
     def _note_events(self, sim: Simulation, monitor: _core.Monitor) -> None:
         for number in [each for each in self.waiting if monitor.verdict(each)[0] == "met"]:

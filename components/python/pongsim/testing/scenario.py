@@ -20,14 +20,16 @@ from .conditions import read_fields
 #: What the monitor judges: see `core/monitor.cc`.
 Spec = dict[str, Any]
 
-KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "systems", "publish", "programs",
+KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "systems", "publish", "request", "programs",
         "speed", "expect", "limits", "keep")
 MODES = ("eventually", "always", "never", "in_order")
 SIGNALS = ("topic", "pose", "velocity", "joint", "contact")
 WINDOW = ("within", "during", "at", "for", "after", "until")
 KEEP = ("recording", "picture", "log")
 #: Where parameters can be used as $NAME.
-_FILLED = ("systems", "publish", "programs", "expect")
+_FILLED = ("systems", "publish", "request", "programs", "expect")
+#: Limit of wall time, in addition to what its speed asks for [s].
+_WALL = 300.0
 #: A larger matrix is a sweep.
 MOST_RUNS = 10_000
 
@@ -43,11 +45,14 @@ class Expected:
 
 @dataclasses.dataclass(frozen=True)
 class Publication:
-    """A message: when to publish it."""
+    """A message: when to publish it, or to call a service with it."""
 
+    #: The topic or service.
     topic: str
     type: str
     message: Any
+    #: Of a service: the type of its response; empty: it is a topic.
+    reply: str
     #: Simulated time [s], or since the event.
     time: float
     #: An event after which it is published.
@@ -179,15 +184,18 @@ class _Reader(MatrixReader):
         parts = {key: _filled(node, run.parameters) for key, node in self.parts.items()}
         limits = parts["limits"].mapping("limits", ["wall"]) if "limits" in parts else {}
         programs = _programs(parts.get("programs"), self.folder)
+        duration = float(parts["duration"].number("duration", above=0))
+        # a controller is made for a robot in real time
+        speed = float(parts["speed"].number("speed", least=0)) if "speed" in parts else (1.0 if programs else 0.0)
+        wall = _WALL + (duration / speed if speed > 0 else 0.0)
         return Case(
             file=self.file, name=name or self.file, run=run, world=world,
             text=worlds.put(text, targets, run.parameters) if text is not None else None,
-            duration=float(parts["duration"].number("duration", above=0)),
-            wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else 300.0,
-            # a controller is made for a robot in real time
-            speed=float(parts["speed"].number("speed", least=0)) if "speed" in parts else (1.0 if programs else 0.0),
+            duration=duration, wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else wall,
+            speed=speed,
             systems=tuple(_system(each) for each in parts["systems"].list("systems")) if "systems" in parts else (),
-            publications=_publications(parts.get("publish"), self.folder), programs=programs,
+            publications=(*_publications(parts.get("publish"), self.folder), *_requests(parts.get("request"), self.folder)),
+            programs=programs,
             expected=tuple(read_expectation(each, self.folder) for each in parts["expect"].list("expect")),
             keep=_keep(parts.get("keep")))
 
@@ -311,18 +319,33 @@ def _publications(node: Node | None, folder: pathlib.Path) -> tuple[Publication,
     made = []
     for each in node.list("publish") if node is not None else []:
         parts = each.mapping("a message to publish", ["topic", "type", "message", "at", "after", "every"])
-        for key in ("topic", "message"):
-            if key not in parts:
-                each.fail(f"a message to publish has no '{key}'")
-        message = parts["message"].plain()
-        if not isinstance(message, (dict, str)):
-            parts["message"].fail("a message must be a mapping of its fields, or protobuf text")
-        made.append(Publication(
-            parts["topic"].text("topic"), parts["type"].text("type") if "type" in parts else "", message,
-            float(parts["at"].number("at", least=0)) if "at" in parts else 0.0,
-            _event(parts["after"], "'after'", folder) if "after" in parts else None,
-            float(parts["every"].number("every", above=0)) if "every" in parts else 0.0, each.at))
+        made.append(_publication(each, parts, "a message to publish", "topic", "", folder))
     return tuple(made)
+
+
+def _requests(node: Node | None, folder: pathlib.Path) -> tuple[Publication, ...]:
+    made = []
+    for each in node.list("request") if node is not None else []:
+        parts = each.mapping("a request", ["service", "type", "message", "reply", "at", "after", "every"])
+        if "type" not in parts:
+            each.fail("a request has no 'type'", "for example type: EntityFactory")
+        reply = parts["reply"].text("reply") if "reply" in parts else "Boolean"
+        made.append(_publication(each, parts, "a request", "service", reply, folder))
+    return tuple(made)
+
+
+def _publication(node: Node, parts: Mapping[str, Node], what: str, place: str, reply: str, folder: pathlib.Path) -> Publication:
+    for key in (place, "message"):
+        if key not in parts:
+            node.fail(f"{what} has no '{key}'")
+    message = parts["message"].plain()
+    if not isinstance(message, (dict, str)):
+        parts["message"].fail("a message must be a mapping of its fields, or protobuf text")
+    return Publication(
+        parts[place].text(place), parts["type"].text("type") if "type" in parts else "", message, reply,
+        float(parts["at"].number("at", least=0)) if "at" in parts else 0.0,
+        _event(parts["after"], "'after'", folder) if "after" in parts else None,
+        float(parts["every"].number("every", above=0)) if "every" in parts else 0.0, node.at)
 
 
 def _programs(node: Node | None, folder: pathlib.Path) -> tuple[Program, ...]:
