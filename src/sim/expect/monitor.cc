@@ -48,6 +48,8 @@ struct Monitor::Parts {
     std::vector<Watch*> watches;
     MessagePointer message;
     std::string type;
+    /// Whether it had a publisher when it was first watched, which may have gone since.
+    bool wasThere = false;
     Subscription subscription;
   };
 
@@ -135,6 +137,7 @@ void Monitor::Parts::listen(const std::string& name, Watch& watch) {
   Topic& topic = topics[name];
   topic.watches.push_back(&watch);
   if (topic.subscription) return;
+  topic.wasThere = nobody(name).empty();
   topic.subscription = simulation->transport().node().subscribeAnyType(
       name, [this, &topic](std::string_view type, std::span<const std::byte> bytes) { hear(topic, type, bytes); },
       {.queueLength = 100'000});
@@ -215,6 +218,8 @@ std::size_t Monitor::decided() const {
 
 /// @return "nobody publishes /a (did you mean '/b'?)"; nothing if somebody does.
 std::string Monitor::Parts::nobody(const std::string& topic) const {
+  const auto watched = topics.find(absolute(topic));
+  if (watched != topics.end() && watched->second.wasThere) return {};
   std::vector<std::string> known;
   for (const OwnTopic& each : simulation->transport().node().ownTopics()) {
     if (each.publishers + each.relayingPublishers > 0) known.push_back(each.name);

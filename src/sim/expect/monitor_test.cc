@@ -143,6 +143,13 @@ TEST_F(MonitorTest, NamesTheNearestOfTheTopicsThatAreThere) {
   EXPECT_EQ(monitor_.verdict(quiet).state, State::kMet);
 }
 
+TEST_F(MonitorTest, ATopicWhosePublisherHasGoneWasThere) {
+  Publisher publisher = flags();
+  const auto quiet = add(expectation(Mode::kNever, {{Kind::kTopic, "/flag"}}));
+  publisher = Publisher();
+  EXPECT_EQ(verdictAfter(0.01, quiet).state, State::kMet);
+}
+
 TEST_F(MonitorTest, ReadsListsOfNumbers) {
   Publisher publisher = world_.simulation().transport().node().advertise<ignition::msgs::Double_V>("/list");
   const auto met = add(expectation(Mode::kEventually, {{Kind::kTopic, "/list"}, {below("min(data)", 2)}}));
