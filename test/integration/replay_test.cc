@@ -36,8 +36,8 @@ class Replay : public testing::Test {
     done({"topic", "-t", "/cmd_vel", "-m", "Twist", "-p", velocity, "--timeout", "60000"});
   }
   static void press(const std::string& keys) {
-    const Process process({"sh", "-c", "printf '" + keys + "' | '" PONGSIM_PROGRAM "' key --timeout 60000"});
-    EXPECT_EQ(const_cast<Process&>(process).wait(), 0) << process.error();
+    Process process({"sh", "-c", "printf '" + keys + "' | '" PONGSIM_PROGRAM "' key --timeout 60000"});
+    EXPECT_EQ(process.wait(), 0) << process.error();
   }
 
   /// Starts a client that publishes until it is killed.

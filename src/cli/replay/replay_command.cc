@@ -225,7 +225,7 @@ void addReplayCommand(CLI::App& program, Work& work) {
                  "Go on from the end, or from --until, with the network and what connects to it")
       ->disable_flag_override();
   command->add_flag("--paused", options->isPaused, "With --live: go on paused")->disable_flag_override();
-  add("--world", "FILE", "Replay with this world file, instead of the one that was recorded",
+  add("--with", "FILE", "Replay with this world file, instead of the one that was recorded",
       [options](const std::string& text) { options->world = text; });
   add("--threads", "N", "Move bodies on N threads, 1 to 256 (1); the result is bit-for-bit the same",
       [options](const std::string& text) {
