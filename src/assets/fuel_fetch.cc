@@ -8,12 +8,11 @@
 #include <cerrno>
 #include <cstring>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "base/child_process.hh"
 #include "base/file_descriptor.hh"
-#include "base/shared_library.hh"
+#include "base/own_program.hh"
 #include "pongsim/files/fuel_address.hh"
 #include "pongsim/log.hh"
 
@@ -22,18 +21,6 @@ namespace pongsim::assets {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// @return The program of this installation or build tree; empty if it is not installed.
-fs::path installedProgram() {
-  std::error_code ignored;
-  // PREFIX/lib/libpongsim.so, PREFIX/lib/ARCHITECTURE/libpongsim.so, or a program with the library built in
-  fs::path folder = base::ownLibraryFile().parent_path();
-  for (int up = 0; up < 3 && folder.has_relative_path(); ++up) {
-    folder = folder.parent_path();
-    if (fs::path program = folder / "libexec/pongsim/pongsim-fuel"; fs::exists(program, ignored)) return program;
-  }
-  return {};
-}
 
 /// @return The model or world that an address belongs to, in a form that is the same for all its files.
 std::optional<std::string> resourceOf(const std::string& address) {
@@ -62,7 +49,7 @@ std::string takeField(std::string_view& line) {
 }  // namespace
 
 FuelFetch::FuelFetch(Places places, fs::path program)
-    : places_(std::move(places)), program_(program.empty() ? installedProgram() : std::move(program)) {}
+    : places_(std::move(places)), program_(program.empty() ? base::ownProgram("pongsim-fuel") : std::move(program)) {}
 
 void FuelFetch::bring(const std::vector<std::string>& addresses) {
   std::vector<std::string> missing;

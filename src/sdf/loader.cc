@@ -15,6 +15,7 @@
 #include "sdf/text/file_text.hh"
 #include "sdf/text/names.hh"
 #include "sdf/version.hh"
+#include "sdf/xacro/xacro.hh"
 
 namespace pongsim::sdf {
 
@@ -100,8 +101,10 @@ class Load {
     includes_.begin(*name_);
   }
 
-  Reading read(std::string_view text) {
-    std::optional<ModelDocument> document = parseModelDocument(text, name_, found_);
+  Reading read(std::string_view text) { return read(text, name_); }
+
+  Reading read(std::string_view text, const FileName& name) {
+    std::optional<ModelDocument> document = parseModelDocument(text, name, found_);
     if (!document) return Reading();
     element_ = std::move(document->sdf);
     urdf_ = std::move(document->urdf);
@@ -114,8 +117,8 @@ class Load {
   }
 
   Reading readFile(NamedBy by = NamedBy::kUser) {
-    const std::optional<std::string> text = readFileText(*name_, name_, by, found_);
-    return text ? read(*text) : Reading();
+    const std::optional<FileText> text = readExpandedText(*name_, name_, by, includes_.mayExpand(*name_), found_);
+    return text ? read(text->text, text->name) : Reading();
   }
 
   void prepareToPrint(IncludeUse use) { includes_.prepareToPrint(use == IncludeUse::kReplace); }

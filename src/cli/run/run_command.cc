@@ -24,6 +24,7 @@
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
 #include "cli/options/secure_option.hh"
+#include "cli/options/xacro_options.hh"
 #include "cli/replay/recorded_world.hh"
 #include "cli/run/fault_argument.hh"
 #include "cli/run/fortress_environment.hh"
@@ -303,6 +304,10 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
           "SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH or in pongsim's own;\n"
           "or an address on a Fuel server. Without it an empty world, 'default', is run")
       ->type_name("");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "ARG:=VALUE", passToXacro, "Arguments of the xacro files that are read, of WORLD or included")
+      ->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
@@ -362,6 +367,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addNetworkOption(*command);
   addSecureOption(*command);
   addOfflineOption(*command);
+  addPackagesOption(*command);
   options->lockstep.addTo(*command);
   options->fortress.addTo(*command);
   command->footer(
@@ -369,6 +375,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run three_worlds.sdf -w maze\n"
+      "  pongsim run robot.urdf.xacro wheels:=4 --packages ~/ws/src\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000\n"
       "  pongsim run worlds/pong_world.sdf --record-inputs run.inputs\n"

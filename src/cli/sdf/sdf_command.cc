@@ -1,6 +1,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "cli/files/world_file.hh"
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
+#include "cli/options/xacro_options.hh"
 #include "cli/sdf/inertial_stats.hh"
 #include "cli/sdf/sdf_describe.hh"
 #include "cli/sdf/sdf_schema_text.hh"
@@ -206,7 +208,7 @@ Work workFor(const SdfOptions& options) {
 void addSdfCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<SdfOptions>();
   CLI::App* command = program.add_subcommand("sdf", "Check, print and describe world and model files");
-  command->add_option("FILE", options->files, "World or model files")->type_name("");
+  command->add_option("FILE", options->files, "World or model files; and ARG:=VALUE for those of xacro")->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
@@ -246,6 +248,7 @@ void addSdfCommand(CLI::App& program, Work& work) {
   addFlag("--expand-auto-inertials", options->expandsInertia,
           "Print: with the mass and inertia that <inertial auto='true'> has");
   CLI::Option* offline = addOfflineOption(*command);
+  CLI::Option* packages = addPackagesOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
@@ -254,8 +257,12 @@ void addSdfCommand(CLI::App& program, Work& work) {
       "  pongsim sdf --graph pose worlds/pong_world.sdf | dot -Tsvg > frames.svg\n"
       "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
-  command->callback([options, offline, &work] {
+  command->callback([options, offline, packages, &work] {
     if (options->element && offline->count() > 0) throw UsageError("--offline needs a file");
+    if (options->element && packages->count() > 0) throw UsageError("--packages needs a file");
+    const auto arguments = std::ranges::stable_partition(options->files, std::not_fn(isXacroArgument));
+    passToXacro({arguments.begin(), arguments.end()});
+    options->files.erase(arguments.begin(), arguments.end());
     work = workFor(*options);
   });
 }

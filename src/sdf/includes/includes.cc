@@ -14,6 +14,7 @@
 #include "sdf/text/values.hh"
 #include "sdf/upgrade.hh"
 #include "sdf/version.hh"
+#include "sdf/xacro/xacro.hh"
 
 namespace pongsim::sdf {
 
@@ -67,7 +68,7 @@ bool Includes::follow(const Element& include, Context& context, const ReadInclud
   if (isRecursion(include, file) || !file.content || !isWithinBounds(include, file)) return false;
 
   Element content = *file.content;
-  setFileName(content, newName(*path, include.position));
+  setFileName(content, newName(file.name, include.position));
   if (keepsReplacements_) makeAddressesAbsolute(content, file.context.folder);
   open_.push_back(file.path);
   bool isRead = true;
@@ -144,17 +145,20 @@ Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& inc
   if (file == nullptr) {
     Context context{
         .diagnostics = diagnostics_, .unsimulated = unsimulated_, .includes = *this, .folder = path.parent_path()};
-    file = std::make_unique<File>(File{withoutLinks(path), 0, std::nullopt, std::move(context)});
+    file = std::make_unique<File>(File{withoutLinks(path), path, 0, std::nullopt, std::move(context)});
     parse(path, newName(path, includedFrom), *file);
   }
   return *file;
 }
 
 void Includes::parse(const fs::path& path, const Name& name, File& file) {
-  const std::optional<std::string> text = readFileText(path, name, NamedBy::kContent, diagnostics_);
+  const std::optional<FileText> text = readExpandedText(path, name, NamedBy::kContent, mayExpand(path), diagnostics_);
   if (!text) return;
-  file.size = text->size();
-  std::optional<ModelDocument> document = parseModelDocument(*text, name, diagnostics_);
+  file.size = text->text.size();
+  const bool isExpanded = text->name != name;
+  file.name = isExpanded ? fs::path(*text->name) : path;
+  const Name shown = isExpanded ? newName(file.name, includedFrom_.at(name)) : name;
+  std::optional<ModelDocument> document = parseModelDocument(text->text, shown, diagnostics_);
   if (!document) return;
   Element& root = document->sdf;
   bring(root);

@@ -69,6 +69,8 @@ class Includes {
   }
   /// @return Whether files in this folder may write other files.
   bool mayWrite(const std::filesystem::path& folder) const { return !finder_.isConfined(folder); }
+  /// @return Whether xacro, which may read any file, may expand this one.
+  bool mayExpand(const std::filesystem::path& file) const { return mayWrite(file.parent_path()); }
   assets::MeshStore& meshes() { return meshes_; }
 
   /// @return Where the file of `position` is included, where that file is included, and so on.
@@ -83,6 +85,8 @@ class Includes {
   struct File {
     /// Canonical path, to recognize the file.
     std::filesystem::path path;
+    /// Its name in diagnostics.
+    std::filesystem::path name;
     std::size_t size = 0;
     /// The part that other files include; nothing if the file can't be read.
     std::optional<Element> content;
