@@ -23,6 +23,8 @@ struct Bridge::BridgedTopic {
   bool isFromRosWanted = false;
   std::atomic<std::uint64_t> refused = 0;
 
+  /// What `toRos` was made with.
+  Frames frames;
   std::unique_ptr<ToRos> toRos;
   std::unique_ptr<RosPublisher> publisher;
   std::unique_ptr<ToIgnition> toIgnition;
@@ -58,6 +60,8 @@ void Bridge::update() {
 void Bridge::followTopics() {
   const RosNode::Quiet quiet(ros_);
   const std::vector<OwnTopic> topics = simulation_.ownTopics();
+  if (readVariances_) variances_ = readVariances_();
+  followFrames();
   followRules(topics);
   for (BridgedTopic& bridged : bridged_) {
     const bool isOfRule = std::ranges::any_of(settings_.rules, [&](const TopicRule& rule) {
@@ -174,13 +178,15 @@ Frames Bridge::framesOf(const TopicRule& rule) const {
   Frames frames = settings_.frames;
   frames.prefix = rule.framePrefix.value_or(frames.prefix);
   frames.frameId = rule.frameId;
+  if (const auto found = variances_.find(rule.ignition); found != variances_.end()) frames.variances = found->second;
   return frames;
 }
 
 void Bridge::openToRos(BridgedTopic& bridged, bool isLatched) {
   const TopicRule& rule = bridged.rule;
   bridged.isLatched = isLatched;
-  bridged.toRos = rule.pair->toRos(framesOf(rule));
+  bridged.frames = framesOf(rule);
+  bridged.toRos = rule.pair->toRos(bridged.frames);
   bridged.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
                                                      [this] { ++readersVersion_; });
   ++readersVersion_;
@@ -259,13 +265,20 @@ void Bridge::setBridgesAll(bool all) {
 void Bridge::setWallTime(bool isUsed) {
   if (isUsed == settings_.frames.usesWallTime) return;
   settings_.frames.usesWallTime = isUsed;
+  followFrames();
+}
+
+/// A topic may be bridged before its sensor is there.
+void Bridge::followFrames() {
   for (BridgedTopic& bridged : bridged_) {
-    if (!bridged.publisher) continue;
+    Frames frames = framesOf(bridged.rule);
+    if (!bridged.publisher || frames == bridged.frames) continue;
+    bridged.frames = std::move(frames);
     // ends the subscription first, because it calls `toRos`
     bridged.fromSimulation = {};
-    bridged.toRos = bridged.rule.pair->toRos(framesOf(bridged.rule));
+    bridged.toRos = bridged.rule.pair->toRos(bridged.frames);
+    ++readersVersion_;
   }
-  ++readersVersion_;
 }
 
 std::vector<Bridge::Topic> Bridge::topics() const {

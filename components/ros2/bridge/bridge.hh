@@ -2,15 +2,18 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pongsim/node.hh"
 #include "ros2/bridge/mismatches.hh"
+#include "ros2/bridge/noise_variances.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 
@@ -49,6 +52,9 @@ class Bridge {
   /// for it.
   void reserve(const std::string& rosName) { reserved_.insert(rosName); }
 
+  /// @param variances Called when topics come or go.
+  void useVariances(std::function<NoiseVariances()> variances) { readVariances_ = std::move(variances); }
+
   /// Call in each step: handles added and removed topics and readers, and warns about nodes that can't connect to a
   /// bridged topic.
   void update();
@@ -84,10 +90,13 @@ class Bridge {
   void subscribe(BridgedTopic& bridged);
   std::vector<Offer> offers() const;
   Frames framesOf(const TopicRule& rule) const;
+  void followFrames();
 
   Node simulation_;
   RosNode& ros_;
   Settings settings_;
+  std::function<NoiseVariances()> readVariances_;
+  NoiseVariances variances_;
   std::set<std::string> reserved_;
   /// Names already warned about.
   std::set<std::string> refusedNames_;

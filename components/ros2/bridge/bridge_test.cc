@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/imu.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/twist.pb.h>
 
@@ -93,6 +94,32 @@ TEST_F(BridgeTest, ListensInTheSimulationForAsLongAsANodeListens) {
     EXPECT_TRUE(updateUntil([&] { return heard.all() == std::vector<std::string>{"hello"}; }));
   }
   EXPECT_TRUE(updateUntil([&] { return !publisher.hasSubscribers(); }));
+}
+
+TEST_F(BridgeTest, TellsTheVariancesOfASensorThatComesLater) {
+  Settings settings;
+  TopicRule& rule = settings.rules.emplace_back();
+  rule.ignition = rule.ros = "/imu";
+  rule.pair = findPair("sensor_msgs/msg/Imu", "ignition.msgs.IMU");
+  rule.direction = Direction::kToRos;
+  NoiseVariances variances;
+  bridge(settings).useVariances([&variances] { return variances; });
+  std::atomic<double> heard = -1;
+  const auto reader = peer_.subscribe<sensor_msgs::Imu>(
+      "/imu", [&heard](const sensor_msgs::Imu& imu) { heard = imu.angular_velocity_covariance[0]; });
+  const auto hears = [&](Publisher& publisher, double variance) {
+    return updateUntil([&] {
+      publisher.publish(ignition::msgs::IMU());
+      return heard == variance;
+    });
+  };
+  {
+    Publisher other = simulation_.advertise<ignition::msgs::IMU>("/imu");
+    EXPECT_TRUE(hears(other, 0));
+  }
+  variances["/imu"].reading = {4, 4, 4};
+  Publisher publisher = simulation_.advertise<ignition::msgs::IMU>("/imu");
+  EXPECT_TRUE(hears(publisher, 4));
 }
 
 TEST_F(BridgeTest, CarriesEachWayAndNothingBack) {

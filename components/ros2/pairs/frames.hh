@@ -1,11 +1,22 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
 namespace pongsim::ros2 {
 
-/// Options for converting names and times.
+/// Variances of a sensor's noise along x, y and z, in its units; zero: none.
+struct Variances {
+  /// Of angular velocities, magnetic fields, positions (longitude, latitude, altitude), and of a pressure, which is the
+  /// first.
+  std::array<double, 3> reading{};
+  /// Of linear accelerations.
+  std::array<double, 3> acceleration{};
+  bool operator==(const Variances&) const = default;
+};
+
+/// Options for converting names and times, and what messages to ROS have beside those of the simulation.
 struct Frames {
   /// Prefix of each frame in ROS: "robot1/".
   std::string prefix = {};
@@ -13,6 +24,9 @@ struct Frames {
   std::string frameId = {};
   /// Whether messages to ROS are stamped with wall time instead of simulated time.
   bool usesWallTime = false;
+  /// For the covariances in messages to ROS.
+  Variances variances = {};
+  bool operator==(const Frames&) const = default;
 
   /// Converts "vehicle::chassis::lidar" to "vehicle/chassis/lidar", with the prefix in front.
   void toRos(std::string_view frame, std::string& to) const;

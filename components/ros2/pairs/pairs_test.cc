@@ -3,8 +3,13 @@
 #include "ros2/pairs/pairs.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/fluid_pressure.pb.h>
+#include <ignition/msgs/imu.pb.h>
+#include <ignition/msgs/magnetometer.pb.h>
 #include <ignition/msgs/model.pb.h>
+#include <ignition/msgs/navsat.pb.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -214,6 +219,41 @@ TEST(Pairs, OfSensorsGoThereAndBack) {
        "cell_temperature", "location", "serial_number"},
       [](BatteryState& state) { state.power_supply_status = BatteryState::kPowerSupplyStatusFull; });
   goesThereAndBack<Joy>("Joy");
+}
+
+TEST(Pairs, OfSensorsTellTheVariancesOfTheirNoise) {
+  const Frames frames{.variances = {{1, 4, 9}, {0.1, 0.2, 0.3}}};
+  ignition::msgs::IMU reading;
+  const Pair& imu = *findPair("sensor_msgs/msg/Imu", "ignition.msgs.IMU");
+  const auto heard = heardBy<sensor_msgs::Imu>(imu, reading, frames);
+  EXPECT_EQ(heard.angular_velocity_covariance, (std::array<double, 9>{1, 0, 0, 0, 4, 0, 0, 0, 9}));
+  EXPECT_EQ(heard.linear_acceleration_covariance, (std::array<double, 9>{0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.3}));
+  // it has no orientation
+  EXPECT_EQ(heard.orientation_covariance[0], -1);
+  reading.mutable_orientation()->set_w(1);
+  EXPECT_EQ(heardBy<sensor_msgs::Imu>(imu, reading, frames).orientation_covariance[0], 0);
+
+  const auto field = heardBy<sensor_msgs::MagneticField>(
+      *findPair("sensor_msgs/msg/MagneticField", "ignition.msgs.Magnetometer"), ignition::msgs::Magnetometer(), frames);
+  EXPECT_EQ(field.magnetic_field_covariance, heard.angular_velocity_covariance);
+  const auto pressure =
+      heardBy<sensor_msgs::FluidPressure>(*findPair("sensor_msgs/msg/FluidPressure", "ignition.msgs.FluidPressure"),
+                                          ignition::msgs::FluidPressure(), frames);
+  EXPECT_EQ(pressure.variance, 1);
+}
+
+TEST(Pairs, OfNavSatGiveTheCovarianceInMetres) {
+  using Fix = sensor_msgs::NavSatFix;
+  ignition::msgs::NavSat reading;
+  reading.set_latitude_deg(60);
+  const Pair& pair = *findPair("sensor_msgs/msg/NavSatFix", "ignition.msgs.NavSat");
+  EXPECT_EQ(heardBy<Fix>(pair, reading).position_covariance_type, Fix::kCovarianceTypeUnknown);
+  // 1e-5 degrees are 1.113 m of a meridian, half of that of the parallel of 60 degrees
+  const Fix fix = heardBy<Fix>(pair, reading, {.variances = {{1e-10, 1e-10, 9}, {}}});
+  EXPECT_EQ(fix.position_covariance_type, Fix::kCovarianceTypeDiagonalKnown);
+  EXPECT_NEAR(std::sqrt(fix.position_covariance[0]), 0.557, 0.001);
+  EXPECT_NEAR(std::sqrt(fix.position_covariance[4]), 1.113, 0.001);
+  EXPECT_EQ(fix.position_covariance[8], 9);
 }
 
 TEST(Pairs, OfGpsFixGoThereAndBackByItsVelocity) {

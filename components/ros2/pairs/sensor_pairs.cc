@@ -8,7 +8,9 @@
 #include <ignition/msgs/navsat.pb.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numbers>
 
 #include "pongsim/math.hh"
 #include "ros2/pairs/convert.hh"
@@ -60,6 +62,22 @@ void LaserScanPair::convert(const Ros& from, Ignition& to, const Frames& frames)
   to.mutable_intensities()->Assign(from.intensities.begin(), from.intensities.end());
 }
 
+/// @return The covariance matrix, row by row, of values that are independent of each other.
+std::array<double, 9> diagonal(const std::array<double, 3>& variances) {
+  return {variances[0], 0, 0, 0, variances[1], 0, 0, 0, variances[2]};
+}
+
+/// As in Fortress, the noise of horizontal positions is in degrees.
+/// @return East, north, up [m^2].
+std::array<double, 9> positionCovariance(double latitude, const Variances& variances) {
+  // on the sphere of the equator's radius, 0.7 % from the ellipsoid at most
+  constexpr double kRadius = 6378137, kDegree = std::numbers::pi / 180;
+  const double north = kRadius * kDegree;
+  const double east = north * math::cos(latitude * kDegree);
+  const auto& [eastDegrees, northDegrees, up] = variances.reading;
+  return diagonal({east * east * eastDegrees, north * north * northDegrees, up});
+}
+
 struct ImuPair {
   using Ros = sensor_msgs::Imu;
   using Ignition = ignition::msgs::IMU;
@@ -68,6 +86,10 @@ struct ImuPair {
     ros2::convert(from.orientation(), to.orientation);
     ros2::convert(from.angular_velocity(), to.angular_velocity);
     ros2::convert(from.linear_acceleration(), to.linear_acceleration);
+    // REP 145: an IMU without an orientation says so
+    to.orientation_covariance = {from.has_orientation() ? 0.0 : -1.0};
+    to.angular_velocity_covariance = diagonal(frames.variances.reading);
+    to.linear_acceleration_covariance = diagonal(frames.variances.acceleration);
   }
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     ros2::convert(from.header, *to.mutable_header(), frames);
@@ -84,6 +106,7 @@ struct MagneticFieldPair {
   static void convert(const Ignition& from, Ros& to, const Frames& frames) {
     ros2::convert(from.header(), to.header, frames);
     ros2::convert(from.field_tesla(), to.magnetic_field);
+    to.magnetic_field_covariance = diagonal(frames.variances.reading);
   }
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     ros2::convert(from.header, *to.mutable_header(), frames);
@@ -97,7 +120,8 @@ struct FluidPressurePair {
   static void convert(const Ignition& from, Ros& to, const Frames& frames) {
     ros2::convert(from.header(), to.header, frames);
     to.fluid_pressure = from.pressure();
-    to.variance = from.variance();
+    // that in the message is Fortress's: the root of the standard deviation
+    to.variance = frames.variances == Variances{} ? from.variance() : frames.variances.reading[0];
   }
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     ros2::convert(from.header, *to.mutable_header(), frames);
@@ -116,7 +140,10 @@ struct NavSatFixPair {
     to.latitude = from.latitude_deg();
     to.longitude = from.longitude_deg();
     to.altitude = from.altitude();
-    to.position_covariance_type = sensor_msgs::NavSatFix::kCovarianceTypeUnknown;
+    to.position_covariance = positionCovariance(from.latitude_deg(), frames.variances);
+    to.position_covariance_type = frames.variances == Variances{}
+                                      ? sensor_msgs::NavSatFix::kCovarianceTypeUnknown
+                                      : sensor_msgs::NavSatFix::kCovarianceTypeDiagonalKnown;
   }
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     to.Clear();
@@ -142,7 +169,9 @@ struct GpsFixPair {
     to.speed = math::hypot(from.velocity_east(), from.velocity_north());
     to.track = math::atan2(from.velocity_north(), from.velocity_east());
     to.climb = from.velocity_up();
-    to.position_covariance_type = gps_msgs::GPSFix::kCovarianceTypeUnknown;
+    to.position_covariance = positionCovariance(from.latitude_deg(), frames.variances);
+    to.position_covariance_type = frames.variances == Variances{} ? gps_msgs::GPSFix::kCovarianceTypeUnknown
+                                                                  : gps_msgs::GPSFix::kCovarianceTypeDiagonalKnown;
   }
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     ros2::convert(from.header, *to.mutable_header(), frames);

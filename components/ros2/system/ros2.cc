@@ -6,6 +6,7 @@
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
+#include "ros2/bridge/noise_variances.hh"
 #include "ros2/bridge/simulation_parameters.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/config/distro.hh"
@@ -55,6 +56,7 @@ class Ros2 final : public System, public RosHost {
     rosout_.emplace(*node_);
     typeDescriptions_ = offerTypeDescriptions(*node_);
     bridge_.emplace(context.node, *node_, settings_);
+    bridge_->useVariances([world = context.world] { return noiseVariances(world); });
     parameters_.emplace(*node_, context.world, *bridge_, settings_);
     robots_.emplace(context.world, context.node, *node_, *bridge_, settings_, robotSettings_);
     services_.emplace(*node_, context, servicePrefix_, settings_);
