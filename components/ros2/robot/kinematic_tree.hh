@@ -72,9 +72,11 @@ struct KinematicTree {
 /// two, with a link in between; a link whose frame is not on its joint's axis also gets an extra link. Joints that
 /// close a loop are left out. Links that are not connected, or move in a way unknown to URDF (ball, screw), are free.
 /// All of this is reported in `warnings`.
-/// @param frames Converts link names to frame names: "vehicle_blue/chassis".
+/// @param frames Has the prefix of all frames.
+/// @param linkPrefix Precedes the names of links in their frames, after that prefix: "vehicle_blue/" (`linkPrefix`).
 /// @param worldFrame Name of the world's frame, without a prefix.
-KinematicTree treeOfModel(const Model& model, const Frames& frames, std::string_view worldFrame);
+KinematicTree treeOfModel(const Model& model, const Frames& frames, std::string_view linkPrefix,
+                          std::string_view worldFrame);
 
 /// Builds the tree of a model converted from URDF: the tree of its URDF, including all links that the simulation has
 /// merged into others. Frames have the links' names, with the prefix.

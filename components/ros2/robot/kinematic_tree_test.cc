@@ -41,7 +41,7 @@ struct Made {
   explicit Made(const std::string& parts)
       : simulation(worldOf(inWorld("<model name='m'><pose>1 2 3 0.1 0.2 0.3</pose>" + parts + "</model>"))),
         model(simulation->world().model("m").value()),
-        tree(treeOfModel(model, {}, "world")) {}
+        tree(treeOfModel(model, {}, std::string(model.name()) + "/", "world")) {}
 
   Words frames() const {
     Words all;

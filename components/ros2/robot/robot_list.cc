@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "pongsim/files/urdf_source.hh"
+#include "ros2/robot/frame_names.hh"
 
 namespace pongsim::ros2 {
 
@@ -96,27 +97,39 @@ void RobotList::examine(const Model& model) {
 
 void RobotList::addRobot(const Model& model) {
   Frames frames = frames_;
+  const std::string name(model.name());
   const bool isOfUrdf = model.urdf() != nullptr;
-  KinematicTree tree = isOfUrdf ? treeOfUrdf(model, frames) : treeOfModel(model, frames, settings_.worldFrame);
-  // two robots from the same URDF have links of the same names
-  const auto isTaken = [this](const TreeLink& link) {
-    return std::ranges::any_of(robots_,
-                               [&link](const Robot& other) { return other.tree.find(link.frame).has_value(); });
+  const std::vector<Sensor> sensors = sensorsOf(model);
+  std::string inFile = isOfUrdf ? "" : linkPrefix(model, sensors);
+  const auto treeOf = [&] {
+    return isOfUrdf ? treeOfUrdf(model, frames) : treeOfModel(model, frames, inFile, settings_.worldFrame);
   };
-  if (isOfUrdf && std::ranges::any_of(tree.links, isTaken)) {
-    frames.prefix += std::string(model.name()) + "/";
-    log_.warning("robot '" + std::string(model.name()) +
-                 "' shares frame names with another robot: on /tf they are prefixed with '" + frames.prefix + "'");
-    tree = treeOfUrdf(model, frames);
+  KinematicTree tree = treeOf();
+  // two robots from the same URDF, or whose files name frames without the model, have links of the same names
+  const auto isTaken = [&](const TreeLink& link) {
+    const auto hasIt = [&link](const Robot& other) { return other.tree.find(link.frame).has_value(); };
+    // the world's frame is everybody's
+    return (isOfUrdf || link.link) && std::ranges::any_of(robots_, hasIt);
+  };
+  const std::string ownPrefix = name + "/";
+  if (inFile != ownPrefix && std::ranges::any_of(tree.links, isTaken)) {
+    if (isOfUrdf) {
+      frames.prefix += ownPrefix;
+    } else {
+      inFile = ownPrefix;
+    }
+    log_.warning("robot '" + name + "' shares frame names with another robot: on /tf they are prefixed with '" +
+                 frames_.prefix + ownPrefix + "'");
+    tree = treeOf();
   }
-  Robot& robot = robots_.emplace_back(Robot{model, std::string(model.name()), std::move(tree), {}});
+  for (const std::string& remark : nameSensorPlaces(sensors, frames_, tree)) log_.warning(remark);
+  Robot& robot = robots_.emplace_back(Robot{model, name, std::move(tree), {}});
   const auto frameOf = [&robot](const Link& link) {
     const std::optional<std::size_t> index = robot.tree.find(link.id());
     return index ? robot.tree.links[*index].frame : std::string();
   };
   robot.sensors = framesOf(
-      sensorsOf(model), frames_, [&robot](const std::string& name) { return robot.tree.find(name).has_value(); },
-      frameOf);
+      sensors, frames_, [&robot](const std::string& frame) { return robot.tree.find(frame).has_value(); }, frameOf);
 }
 
 }  // namespace pongsim::ros2

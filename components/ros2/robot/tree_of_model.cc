@@ -26,8 +26,8 @@ struct Edge {
 
 class TreeMaker {
  public:
-  TreeMaker(const Model& model, const Frames& frames, std::string_view worldFrame)
-      : model_(model), frames_(frames), worldFrame_(worldFrame) {
+  TreeMaker(const Model& model, const Frames& frames, std::string_view linkPrefix, std::string_view worldFrame)
+      : model_(model), frames_(frames), linkPrefix_(linkPrefix), worldFrame_(worldFrame) {
     collect(model, "");
   }
 
@@ -52,7 +52,7 @@ class TreeMaker {
   void collect(const Model& model, const std::string& scope) {
     for (const Link& link : model.links()) {
       links_.push_back(link);
-      linkFrames_[link.id()] = unique(frames_.toRos(link.scopedName()));
+      linkFrames_[link.id()] = unique(frames_.prefix + linkPrefix_ + scope + std::string(link.name()));
     }
     for (const Joint& joint : model.joints()) {
       const std::string name = scope + std::string(joint.name());
@@ -197,8 +197,7 @@ class TreeMaker {
   std::size_t addMoving(const Edge& edge, int axis, std::size_t parent, const Pose& X_ParentLink,
                         const Quaternion& R_JointLink, const std::optional<Link>& link, const std::string& joint) {
     const Vector3 xyz = edge.joint.axisInfo(axis).xyz;
-    const std::string scope = std::string(model_.name()) + "/";
-    return add({.frame = link ? frameOf(*link) : unique(frames_.toRos(scope + joint)),
+    return add({.frame = link ? frameOf(*link) : unique(frames_.toRos(linkPrefix_ + joint)),
                 .link = link,
                 .parent = parent,
                 .joint = uniqueJoint(joint),
@@ -211,6 +210,7 @@ class TreeMaker {
 
   const Model& model_;
   const Frames& frames_;
+  std::string linkPrefix_;
   std::string worldFrame_;
   std::vector<Link> links_;
   std::vector<Edge> edges_;
@@ -224,8 +224,9 @@ class TreeMaker {
 
 }  // namespace
 
-KinematicTree treeOfModel(const Model& model, const Frames& frames, std::string_view worldFrame) {
-  return TreeMaker(model, frames, worldFrame).make();
+KinematicTree treeOfModel(const Model& model, const Frames& frames, std::string_view linkPrefix,
+                          std::string_view worldFrame) {
+  return TreeMaker(model, frames, linkPrefix, worldFrame).make();
 }
 
 }  // namespace pongsim::ros2

@@ -67,7 +67,7 @@ struct Written {
 
   explicit Written(const std::string& parts) : simulation(worldOf(inWorld("<model name='m'>" + parts + "</model>"))) {
     const Model model = simulation->world().model("m").value();
-    const KinematicTree tree = treeOfModel(model, {}, "world");
+    const KinematicTree tree = treeOfModel(model, {}, std::string(model.name()) + "/", "world");
     urdf = writeUrdf(simulation->world(), model, tree);
     robot = ::urdf::parseURDF(urdf.text);
     EXPECT_NE(robot, nullptr) << urdf.text;
@@ -131,7 +131,8 @@ TEST(UrdfWriter, NamesTheFilesOfMeshes) {
   const auto simulation = worldOfFile(folder.path() / "w.sdf");
   ASSERT_NE(simulation, nullptr);
   const Model model = simulation->world().model("m").value();
-  const auto robot = ::urdf::parseURDF(writeUrdf(simulation->world(), model, treeOfModel(model, {}, "world")).text);
+  const auto robot = ::urdf::parseURDF(
+      writeUrdf(simulation->world(), model, treeOfModel(model, {}, std::string(model.name()) + "/", "world")).text);
   ASSERT_NE(robot, nullptr);
   const auto link = robot->getLink("m/a");
   ASSERT_EQ(link->visual_array.size(), 1U);
@@ -188,7 +189,7 @@ TEST(UrdfWriter, WritesTheRobotsOfAllWorlds) {
     for (const Model& model : simulation->world().models()) {
       if (!isRobot(model)) continue;
       ++robots;
-      const KinematicTree tree = treeOfModel(model, {}, "world");
+      const KinematicTree tree = treeOfModel(model, {}, std::string(model.name()) + "/", "world");
       expectSame(*simulation, model, tree, writeUrdf(simulation->world(), model, tree),
                  file.filename().string() + " " + std::string(model.name()));
     }

@@ -2,6 +2,7 @@
 they are."""
 
 import collections
+import re
 import xml.etree.ElementTree as xml
 
 import numpy as np
@@ -148,6 +149,64 @@ def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
             return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
 
         peers.until(drives, "a robot that drives")
+
+
+def rover_with_names_of_ros(folder, prefix):
+    """drive.sdf as users of ros_gz write robots: frames by their names in ROS, a lidar above the link that is for it."""
+    text = (peers.ROOT / "components/ros2/test/drive.sdf").read_text().replace("chassis", "base_link")
+    lidar = re.search(r'<sensor name="lidar".*?</sensor>', text, re.DOTALL).group()
+    own_link = (f'<link name="base_scan"><pose>0.1 0 0 0 0 0</pose>{lidar}</link><joint name="scan_joint" type="fixed">'
+                "<parent>base_link</parent><child>base_scan</child></joint>")
+    own_link = own_link.replace("<topic>lidar", f"<frame_id>{prefix}base_scan</frame_id><topic>scan")
+    imu = (f'<sensor name="imu" type="imu"><topic>imu</topic><gz_frame_id>{prefix}base_link</gz_frame_id><imu>'
+           '<angular_velocity><z><noise type="gaussian"><stddev>0.5</stddev></noise></z></angular_velocity></imu></sensor>')
+    odometry = (f"<odom_topic>odom</odom_topic><frame_id>{prefix}odom</frame_id>"
+                f"<child_frame_id>{prefix}base_link</child_frame_id>")
+    text = text.replace(lidar, imu).replace('<link name="left_wheel">', own_link + '<link name="left_wheel">')
+    text = text.replace("<topic>cmd_vel", odometry + "<topic>cmd_vel").replace(
+        '<plugin filename="pongsim-ros2',
+        '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/><plugin filename="pongsim-ros2')
+    world = folder / "rover.sdf"
+    world.write_text(text)
+    return world
+
+
+@pytest.mark.parametrize("prefix", ["", "robot1/"])
+def test_a_robot_in_sdf_has_the_frames_that_its_file_names(tmp_path, prefix):
+    with peers.running(rover_with_names_of_ros(tmp_path, prefix)):
+        peer = peers.Peer()
+        tree = TfTree(peer)
+        scans, imu, odometry = (peer.reader(topic, kind, MANY) for topic, kind in
+                                (("/scan", LaserScan), ("/imu", Imu), ("/odom", Odometry)))
+        frame, root = f"{prefix}base_scan", f"{prefix}odom"
+        waiting, checked = [], 0
+
+        def placed():
+            nonlocal checked
+            tree.update()
+            waiting.extend(peers.take(scans))
+            known = tree.known_until(frame) if tree.moving and frame in tree.parents else None
+            while known and waiting and nanoseconds(waiting[0].header.stamp) <= known:
+                scan = waiting.pop(0)
+                assert scan.header.frame_id == frame
+                if nanoseconds(scan.header.stamp) < tree.moving[f"{prefix}base_link"][0][0]:
+                    continue
+                points = in_odom(scan, tree.lookup(frame, root, nanoseconds(scan.header.stamp)))
+                # the face of the wall, and the lidar's place on the robot
+                assert points[:, 0] == pytest.approx(4.9, abs=0.02)
+                assert points[:, 2] == pytest.approx(0.2, abs=0.02)
+                checked += 1
+            return checked > 5
+
+        peers.until(placed, "scans with their transforms")
+        assert tree.chain(frame)[-2:] == [f"{prefix}base_link", root]
+        # one tree
+        assert {tree.chain(each)[-1] for each in tree.parents} == {root}
+        assert peers.take_one(odometry).child_frame_id == f"{prefix}base_link"
+        reading = peers.take_one(imu)
+        assert reading.header.frame_id == f"{prefix}base_link"
+        assert list(reading.angular_velocity_covariance) == [0, 0, 0, 0, 0, 0, 0, 0, 0.25]
+        assert reading.orientation_covariance[0] == 0
 
 
 def in_odom(scan, X_odom_scan):
