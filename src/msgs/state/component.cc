@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kJointTypes{"ball",     "continuous", "fixed", "gearbox",  "prismatic",
                                                       "revolute", "revolute2",  "screw", "universal"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kSensorComponents{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSensorComponents{
     {{"imu", "Imu"},
      {"magnetometer", "Magnetometer"},
      {"altimeter", "Altimeter"},
@@ -27,7 +27,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kSensorC
      {"camera", "Camera"},
      {"depth_camera", "DepthCamera"},
      {"rgbd_camera", "RgbdCamera"},
-     {"thermal_camera", "ThermalCamera"}}};
+     {"thermal_camera", "ThermalCamera"},
+     {"segmentation_camera", "SegmentationCamera"},
+     {"boundingbox_camera", "BoundingBoxCamera"}}};
 
 void append(double value, std::string& text) {
   std::array<char, 32> digits{};

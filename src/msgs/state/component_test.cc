@@ -39,6 +39,8 @@ TEST(Component, NumbersTypesOfJointsAsFortressDoes) {
 
 TEST(Component, NamesTheOneOfASensorsType) {
   EXPECT_EQ(sensorComponent("air_pressure"), "AirPressureSensor");
+  EXPECT_EQ(sensorComponent("segmentation_camera"), "SegmentationCamera");
+  EXPECT_EQ(sensorComponent("boundingbox_camera"), "BoundingBoxCamera");
   EXPECT_EQ(sensorComponent("contact"), "");
 }
 
