@@ -158,7 +158,7 @@ TEST_F(PaintedWall, IsDrawnWithoutAMapThatIsBroken) {
   ASSERT_EQ(warnings_.size(), 1U);
   EXPECT_EQ(warnings_[0].severity, Severity::kWarning);
   EXPECT_EQ(warnings_[0].position.line, 7);
-  EXPECT_NE(warnings_[0].message.find("broken.jpg' is neither a PNG nor a JPEG image"), std::string::npos)
+  EXPECT_NE(warnings_[0].message.find("broken.jpg' is not a PNG, JPEG, TGA or BMP image"), std::string::npos)
       << warnings_[0].message;
 }
 

@@ -4,8 +4,10 @@
 #include <string_view>
 #include <utility>
 
+#include "assets/images/bmp_image.hh"
 #include "assets/images/jpeg_image.hh"
 #include "assets/images/png_image.hh"
+#include "assets/images/tga_image.hh"
 #include "base/regular_file.hh"
 
 namespace pongsim::assets {
@@ -15,6 +17,7 @@ namespace {
 // signatures at the start of files
 constexpr std::string_view kPngStart = "\x89PNG";
 constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
+constexpr std::string_view kBmpStart = "BM";
 
 }  // namespace
 
@@ -27,8 +30,10 @@ std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
 std::variant<Picture, Problem> decodePicture(std::string_view content) {
   // by the signature, because many models have PNG files named .jpg
   if (content.starts_with(kJpegStart)) return readJpeg(content, kMostPicturePixels);
+  if (content.starts_with(kBmpStart)) return readBmp(content, kMostPicturePixels);
   if (!content.starts_with(kPngStart)) {
-    return Problem{"is neither a PNG nor a JPEG image", "convert images in other formats (TGA, BMP, TIFF, DDS)"};
+    if (looksLikeTga(content)) return readTga(content, kMostPicturePixels);
+    return Problem{"is not a PNG, JPEG, TGA or BMP image", "convert images in other formats (TIFF, DDS)"};
   }
   PngImage png;
   auto pixels = readRgba(content, kMostPicturePixels, 0, png);

@@ -27,7 +27,7 @@ inline constexpr std::size_t kMostPicturePixels = std::size_t{4096} * 4096;
 /// Files with more bytes are refused.
 inline constexpr std::size_t kLargestPictureFile = std::size_t{128} << 20U;
 
-/// Reads a PNG or JPEG file; its name does not matter.
+/// Reads a PNG, JPEG, TGA or BMP file; its name does not matter.
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file);
 
 /// As above, from the content of such a file.

@@ -27,8 +27,8 @@ TEST(PictureFile, GivesBackWhatWasWritten) {
 
 TEST(PictureFile, TellsWhatIsWrong) {
   const pongsim::test::TempFolder folder;
-  for (const auto& [content, problem] : {std::pair("no picture", "is neither a PNG nor a JPEG image"),
-                                         std::pair("", "is neither a PNG nor a JPEG image"),
+  for (const auto& [content, problem] : {std::pair("no picture", "is not a PNG, JPEG, TGA or BMP image"),
+                                         std::pair("", "is not a PNG, JPEG, TGA or BMP image"),
                                          std::pair("\x89PNG and no more", "can't be read as a PNG image: "),
                                          std::pair("\xFF\xD8\xFF and no more", "can't be read as a JPEG image: ")}) {
     const auto text = readPicture(folder.write("t.png", content));
