@@ -18,6 +18,8 @@ using Eigen::Vector4f;
 constexpr double kMostShadowRadius = 25;
 constexpr double kNearestShade = 0.05;
 constexpr double kFarthestShade = 1000;
+// of the clouds [m], and their least size in heights
+constexpr double kCloudHeight = 100, kSmallestCloud = 0.01;
 
 /// A sphere that contains all visible shadows. In the world frame.
 struct Region {
@@ -161,7 +163,14 @@ SkyColors skyColors(const description::Sky& sky) {
   const double sun = length > 0 ? std::sin(std::numbers::pi * (sky.time - sky.sunrise) / length) : 1;
   // bright all day, dark from about an hour after sunset
   const auto daylight = static_cast<float>(std::clamp(0.5 + 3 * sun, 0.05, 1.0));
-  return {zenith * daylight, horizon * daylight};
+  return {zenith * daylight, horizon * daylight, lightOf(sky.cloudAmbient) * daylight};
+}
+
+Eigen::Vector4f cloudsOf(const description::Sky& sky, Time time) {
+  const double way = sky.cloudSpeed * toSeconds(time) / kCloudHeight;
+  const Eigen::Vector4d clouds(way * std::cos(sky.cloudDirection), way * std::sin(sky.cloudDirection),
+                               1 / std::max(sky.cloudSize, kSmallestCloud), std::clamp(sky.humidity, 0.0, 1.0));
+  return clouds.cast<float>();
 }
 
 }  // namespace pongsim::rendering

@@ -72,11 +72,15 @@ Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge)
 /// @return A colour from a file as linear light.
 Eigen::Vector3f lightOf(const description::Color& color);
 
-/// Colours of a clear sky at the zenith and at the horizon, as linear light.
+/// Colours of a clear sky at the zenith and at the horizon, and of its clouds, as linear light.
 struct SkyColors {
   Eigen::Vector3f zenith;
   Eigen::Vector3f horizon;
+  Eigen::Vector3f clouds;
 };
 SkyColors skyColors(const description::Sky& sky);
+
+/// The clouds for the shader: how far they have moved and cells per unit, in heights of the clouds, and their humidity.
+Eigen::Vector4f cloudsOf(const description::Sky& sky, Time time);
 
 }  // namespace pongsim::rendering

@@ -209,6 +209,8 @@ class Renderer::Content {
     gl_.uniformMatrix3fv(shaders::kDirectionFromClip, 1, GL_FALSE, directions.data());
     gl_.uniform3fv(shaders::kZenith, 1, colors.zenith.data());
     gl_.uniform3fv(shaders::kHorizon, 1, colors.horizon.data());
+    gl_.uniform4fv(shaders::kClouds, 1, cloudsOf(*sky, scene.time()).data());
+    gl_.uniform3fv(shaders::kCloudColor, 1, colors.clouds.data());
     gl_.disable(GL_DEPTH_TEST);
     gl_.disable(GL_CULL_FACE);
     gl_.bindVertexArray(nothing_);

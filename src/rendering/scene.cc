@@ -256,6 +256,7 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
     item.X_WorldLink =
         item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }
+  time_ = state.time;
   lamps_.clear();
   for (const world::LightRecord& record : world::present(entities.lights())) {
     const description::Light& light = *record.description;

@@ -114,6 +114,8 @@ class Scene {
   /// See `CameraScene::visuals`.
   const std::vector<SeenVisual>& visuals() const { return visuals_; }
   const description::Scene& surroundings() const { return surroundings_; }
+  /// @return Simulated time of the last `update`.
+  Time time() const { return time_; }
   /// @return A number that increases whenever items are added or removed.
   std::uint64_t version() const { return version_; }
 
@@ -140,6 +142,7 @@ class Scene {
   description::Scene surroundings_;
   std::optional<Vector3> background_;
   std::optional<Vector3> ambient_;
+  Time time_{0};
   std::uint64_t version_ = 0;
   bool isPainted_ = false;
   /// Keyed by what they show.

@@ -20,6 +20,9 @@ inline constexpr int kZenith = 10;
 inline constexpr int kHorizon = 11;
 /// Whether there is a normal map.
 inline constexpr int kHasNormals = 12;
+/// How far the clouds have moved, cells per unit of height, share of the sky.
+inline constexpr int kClouds = 13;
+inline constexpr int kCloudColor = 14;
 
 inline constexpr int kMostLamps = 16;
 inline constexpr int kMostShadows = 4;
@@ -233,12 +236,35 @@ void main() {
 }
 )";
 
+/// A clear sky, and clouds in a plane above it: noise of four octaves (Perlin 1985), of values at the corners of cells.
 inline constexpr const char* kSkyFragment = R"(#version 450 core
 layout(location = 10) uniform vec3 zenith;
 layout(location = 11) uniform vec3 horizon;
+layout(location = 13) uniform vec4 clouds;
+layout(location = 14) uniform vec3 cloudColor;
 in vec3 direction;
 out vec4 color;
-void main() { color = vec4(mix(horizon, zenith, pow(max(normalize(direction).z, 0.0), 0.5)), 1); }
+// a number for each cell, 0 to 1
+float valueAt(ivec2 cell) {
+  uint bits = uint(cell.x) * 0x8DA6B343u ^ uint(cell.y) * 0xD8163841u;
+  bits = (bits ^ (bits >> 13)) * 0x5BD1E995u;
+  return float((bits ^ (bits >> 15)) & 0xFFFFu) / 65535.0;
+}
+float noiseAt(vec2 at) {
+  ivec2 cell = ivec2(floor(at));
+  vec2 part = fract(at), share = part * part * (3.0 - 2.0 * part);
+  return mix(mix(valueAt(cell), valueAt(cell + ivec2(1, 0)), share.x),
+             mix(valueAt(cell + ivec2(0, 1)), valueAt(cell + ivec2(1, 1)), share.x), share.y);
+}
+void main() {
+  vec3 d = normalize(direction);
+  vec3 clear = mix(horizon, zenith, pow(max(d.z, 0.0), 0.5));
+  vec2 at = (d.xy / max(d.z, 0.02) - clouds.xy) * clouds.z;
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) sum += noiseAt(at * float(1 << i) + float(17 * i)) * 0.5 / float(1 << i);
+  float density = smoothstep(1.0 - clouds.w, 1.3 - clouds.w, sum / 0.9375) * smoothstep(0.02, 0.2, d.z);
+  color = vec4(mix(clear, cloudColor, density), 1);
+}
 )";
 
 /// Makes one colour of the four samples of each pixel, as linear light.
