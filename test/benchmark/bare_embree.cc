@@ -106,6 +106,9 @@ BareEmbree::BareEmbree(const description::World& world) : scene_(std::make_uniqu
       Triangles triangles;
       std::visit(Triangulate{triangles}, visual.geometry);
       size_ += triangles.corners.size();
+      const description::Color color =
+          visual.material ? visual.material->diffuse : description::Color{0.7F, 0.7F, 0.7F, 1};
+      colors_.emplace_back(color.red, color.green, color.blue);
       const Pose X_WorldVisual = link.X_WorldLinkStart * visual.X_LinkVisual;
       RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
       auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -147,6 +150,117 @@ void BareEmbree::cast(const Vector3& origin, const std::vector<Vector3>& directi
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_->scene, &context, &ray);
     ranges[i] = ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : ray.ray.tfar;
+  }
+}
+
+/// Places in the picture [pixels], and what is there.
+struct BareEmbree::Packet {
+  static constexpr std::size_t kSize = 8;
+  std::array<float, kSize> u, v;
+  std::array<unsigned, kSize> visual;
+  std::array<Eigen::Vector3f, kSize> normal, color;
+};
+
+void BareEmbree::trace(const PictureView& view, const Vector3& light, Packet& packet) const {
+  constexpr std::size_t kSize = Packet::kSize;
+  alignas(32) RTCRayHit8 rays{};
+  alignas(32) std::array<int, kSize> areValid{};
+  const Eigen::Matrix3f R = view.X_WorldEye.rotation.toRotationMatrix().cast<float>();
+  const Eigen::Vector3f eye = view.X_WorldEye.position.cast<float>(), toLight = light.cast<float>();
+  const auto fx = static_cast<float>(view.fx), fy = static_cast<float>(view.fy);
+  const auto cx = static_cast<float>(view.cx), cy = static_cast<float>(view.cy);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  const auto set = [](auto& ray, std::size_t i, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
+    ray.org_x[i] = origin.x(), ray.org_y[i] = origin.y(), ray.org_z[i] = origin.z();
+    ray.dir_x[i] = direction.x(), ray.dir_y[i] = direction.y(), ray.dir_z[i] = direction.z();
+    ray.mask[i] = std::numeric_limits<unsigned>::max();
+  };
+  std::array<Eigen::Vector3f, kSize> directions;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    directions[i] = R * Eigen::Vector3f(1, (cx - packet.u[i]) / fx, (cy - packet.v[i]) / fy);
+    set(rays.ray, i, eye, directions[i]);
+    rays.ray.tnear[i] = static_cast<float>(view.near), rays.ray.tfar[i] = static_cast<float>(view.far);
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    areValid[i] = -1;
+  }
+  rtcIntersect8(areValid.data(), scene_->scene, &context, &rays);
+
+  alignas(32) RTCRay8 shadows{};
+  std::array<float, kSize> cosines{};
+  for (std::size_t i = 0; i < kSize; ++i) {
+    packet.visual[i] = rays.hit.geomID[i];
+    Eigen::Vector3f normal = Eigen::Vector3f(rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]).normalized();
+    if (normal.dot(directions[i]) > 0) normal = -normal;
+    packet.normal[i] = normal;
+    cosines[i] = std::max(normal.dot(toLight), 0.0F);
+    areValid[i] = packet.visual[i] != RTC_INVALID_GEOMETRY_ID && cosines[i] > 0 ? -1 : 0;
+    set(shadows, i, eye + directions[i] * rays.ray.tfar[i] + normal * 1e-3F, toLight);
+    shadows.tfar[i] = static_cast<float>(view.far);
+  }
+  rtcOccluded8(areValid.data(), scene_->scene, &context, &shadows);
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const bool isHit = packet.visual[i] != RTC_INVALID_GEOMETRY_ID, isDark = shadows.tfar[i] < 0;
+    packet.color[i] = isHit ? Eigen::Vector3f(colors_[packet.visual[i]] * (0.1F + (isDark ? 0 : 0.8F * cosines[i])))
+                            : Eigen::Vector3f::Constant(0.45F);
+  }
+}
+
+void BareEmbree::draw(const PictureView& view, const Vector3& light, std::span<std::uint8_t> pixels) const {
+  const std::size_t width = view.width, count = width * view.height;
+  std::vector<unsigned> visuals(count);
+  std::vector<Eigen::Vector3f> normals(count), colors(count);
+  Packet packet{};
+  // four by two pixels
+  for (std::size_t first = 0; first < count; first += first % width + 4 == width ? width + 4 : 4) {
+    const auto pixelOf = [&](std::size_t i) { return first + i % 4 + i / 4 * width; };
+    for (std::size_t i = 0; i < Packet::kSize; ++i) {
+      packet.u[i] = static_cast<float>(pixelOf(i) % width) + 0.5F;
+      packet.v[i] = static_cast<float>(pixelOf(i) / width) + 0.5F;
+    }
+    trace(view, light, packet);
+    for (std::size_t i = 0; i < Packet::kSize; ++i) {
+      visuals[pixelOf(i)] = packet.visual[i];
+      normals[pixelOf(i)] = packet.normal[i];
+      colors[pixelOf(i)] = packet.color[i];
+    }
+  }
+  const auto differ = [&](std::size_t a, std::size_t b) {
+    return visuals[a] != visuals[b] || normals[a].dot(normals[b]) < 0.9F;
+  };
+  std::vector<std::size_t> edges;
+  for (std::size_t i = width; i + width < count; ++i) {
+    if (differ(i, i - 1) || differ(i, i + 1) || differ(i, i - width) || differ(i, i + width)) edges.push_back(i);
+  }
+  // two pixels of four samples each
+  constexpr std::array<float, 4> kRight{0.375F, 0.875F, 0.125F, 0.625F}, kDown{0.125F, 0.375F, 0.625F, 0.875F};
+  for (std::size_t first = 0; first < edges.size(); first += 2) {
+    for (std::size_t i = 0; i < Packet::kSize; ++i) {
+      const std::size_t pixel = edges[std::min(first + i / 4, edges.size() - 1)];
+      packet.u[i] = static_cast<float>(pixel % width) + kRight[i % 4];
+      packet.v[i] = static_cast<float>(pixel / width) + kDown[i % 4];
+    }
+    trace(view, light, packet);
+    for (std::size_t i = 0; i < 2 && first + i < edges.size(); ++i) {
+      const auto* color = &packet.color[4 * i];
+      colors[edges[first + i]] = (color[0] + color[1] + color[2] + color[3]) / 4;
+    }
+  }
+  static const std::vector<std::uint8_t> kShown = [] {
+    std::vector<std::uint8_t> shown;
+    for (int i = 0; i <= 4096; ++i) {
+      const double linear = i / 4096.0;
+      const double share = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+      shown.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
+    }
+    return shown;
+  }();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      pixels[3 * i + static_cast<std::size_t>(channel)] =
+          kShown[static_cast<std::size_t>(std::min(colors[i][channel], 1.0F) * 4096)];
+    }
   }
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "description/world.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::benchmark {
@@ -25,10 +28,21 @@ class BareEmbree {
   void cast(const Vector3& origin, const std::vector<Vector3>& directions, double farthest,
             std::vector<float>& ranges) const;
 
+  /// Draws a picture of matt surfaces: one ray for each pixel, four where it differs from its neighbours, and one to
+  /// the light from each hit, in packets of eight.
+  /// @param light Unit vector towards it.
+  /// @param pixels Red, green, blue, row by row.
+  void draw(const PictureView& view, const Vector3& light, std::span<std::uint8_t> pixels) const;
+
  private:
   struct Scene;
+  struct Packet;
+  void trace(const PictureView& view, const Vector3& light, Packet& packet) const;
+
   std::unique_ptr<Scene> scene_;
   std::size_t size_ = 0;
+  /// Of each visual.
+  std::vector<Eigen::Vector3f> colors_;
 };
 
 }  // namespace pongsim::benchmark

@@ -5,19 +5,22 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmark/bare_embree.hh"
 #include "benchmark/medians.hh"
+#include "pongsim/math.hh"
 #include "pongsim/message.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/simulation.hh"
 #include "sdf/loader.hh"
 #include "support/fortress_worlds.hh"
@@ -25,7 +28,8 @@
 namespace pongsim::benchmark {
 namespace {
 
-constexpr double kMostRatio = 1.5, kLeastFactor = 5, kMostShare = 0.02, kLeastFilmFactor = 1;
+constexpr double kMostRatio = 1.5, kLeastFactor = 5, kMostShare = 0.02;
+constexpr double kLeastFilmFactor = 5, kLeastRgbdFactor = 1.5, kMostOfTwo = 1.8;
 // beams of the tutorial's lidar
 constexpr int kBeams = 640;
 constexpr double kWidth = 1.396263, kFarthest = 10;
@@ -64,19 +68,21 @@ std::unique_ptr<Simulation> load(const std::string& text) {
 struct Run {
   explicit Run(const std::string& text, const std::string& topic = "", const char* type = "ignition.msgs.LaserScan")
       : simulation(load(text)) {
-    if (topic.empty()) return;
-    reader = simulation->transport().node().subscribe(topic, type, [this](const Message&) { ++received; });
+    if (!topic.empty()) read(topic, type);
+  }
+  void read(const std::string& topic, const char* type) {
+    readers.push_back(simulation->transport().node().subscribe(topic, type, [this](const Message&) { ++received; }));
   }
   std::unique_ptr<Simulation> simulation;
   std::size_t received = 0;
-  std::optional<Subscription> reader;
+  std::vector<Subscription> readers;
 };
 
 void step(::benchmark::State& state, const std::string& text, const std::string& topic) {
   Run run(text, topic);
   run.simulation->step(100);
   for (auto _ : state) run.simulation->step();
-  if (run.reader && run.received == 0) throw std::runtime_error("nobody speaks on " + topic);
+  if (!run.readers.empty() && run.received == 0) throw std::runtime_error("nobody speaks on " + topic);
 }
 
 void castBare(::benchmark::State& state, const std::string& text) {
@@ -132,21 +138,74 @@ void fly(::benchmark::State& state, const std::string& text, const std::string& 
   }
   run.simulation->step(10);
   for (auto _ : state) run.simulation->step(kStepsAScan);
-  if (run.reader && run.received == 0) throw std::runtime_error("nobody speaks on " + topic);
+  if (!run.readers.empty() && run.received == 0) throw std::runtime_error("nobody speaks on " + topic);
 }
 
-/// The court with its camera of 320 by 240 pixels, at 30 Hz: three images per hundred steps.
+std::string camera(const std::string& topic, const std::string& type, const std::string& size) {
+  return "<sensor name='" + topic + "' type='" + type + "'><pose>1.02 0 0.2 0 0.05 0.1</pose><topic>" + topic +
+         "</topic><update_rate>30</update_rate><camera><horizontal_fov>1.2</horizontal_fov><image>" + size +
+         "</image><clip><near>0.02</near><far>100</far></clip></camera></sensor>";
+}
+
+/// The court, seen by two cameras of 320 by 240 pixels and an RGB-D camera of 640 by 480, at 30 Hz: three images per
+/// hundred steps of each that is read.
 std::string filmedCourt() {
   const std::string text = textOf(test::projectFolder() / "worlds/pong_lidar.sdf");
-  return replaced(text, "<update_rate>10</update_rate>", "<update_rate>30</update_rate>",
-                  text.find("<topic>camera</topic>"));
+  const std::string cameras = camera("one", "camera", "<width>320</width><height>240</height>") +
+                              camera("two", "camera", "<width>320</width><height>240</height>") +
+                              camera("rgbd", "rgbd_camera", "<width>640</width><height>480</height>");
+  return replaced(text, "<sensor name=\"imu\"", cameras + "<sensor name=\"imu\"");
 }
 
-void film(::benchmark::State& state, const std::string& text) {
-  Run run(text, "/camera", "ignition.msgs.Image");
+/// @param topics Of images, which are read.
+void film(::benchmark::State& state, const std::string& text, const std::vector<std::string>& topics) {
+  Run run(text);
+  for (const std::string& topic : topics) run.read(topic, "ignition.msgs.Image");
   run.simulation->step(kStepsAScan);
+  run.received = 0;
   for (auto _ : state) run.simulation->step(kStepsAScan);
-  if (run.received == 0) throw std::runtime_error("nobody speaks on /camera");
+  if (run.received < topics.size()) throw std::runtime_error("nobody speaks on " + topics.back());
+}
+
+/// @return What the robot of the court sees, with this many pixels in a row.
+PictureView courtView(std::uint32_t width) {
+  PictureView view;
+  view.X_WorldEye = {{1.52, 0, 0.6}, fromRollPitchYaw(0, 0.05, 0.1)};
+  view.width = width;
+  view.height = width * 3 / 4;
+  view.cx = view.width / 2.0;
+  view.cy = view.height / 2.0;
+  view.fx = view.fy = view.cx / std::tan(0.6);
+  view.near = 0.02;
+  return view;
+}
+
+/// The picture alone, as cameras draw it.
+void rasterize(::benchmark::State& state, std::uint32_t width) {
+  const auto simulation = load(textOf(test::projectFolder() / "worlds/pong_lidar.sdf"));
+  CameraScene scene(simulation->world());
+  Diagnostics diagnostics;
+  scene.rebuild(diagnostics);
+  PictureView view = courtView(width);
+  std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
+  scene.drawColors(view, pixels);
+  for (auto _ : state) {
+    simulation->step();
+    scene.update();
+    scene.drawColors(view, pixels);
+  }
+}
+
+/// The same with bare Embree, with nothing moving.
+void trace(::benchmark::State& state, std::uint32_t width) {
+  Diagnostics diagnostics;
+  const sdf::Root root =
+      sdf::loadText(textOf(test::projectFolder() / "worlds/pong_lidar.sdf"), "world.sdf", diagnostics);
+  const BareEmbree embree(root.worlds.front());
+  const PictureView view = courtView(width);
+  const Vector3 light = Vector3(0.5, -0.1, 0.9).normalized();
+  std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
+  for (auto _ : state) embree.draw(view, light, pixels);
 }
 
 /// The court, with lidars and cameras in turn on the robot.
@@ -188,10 +247,26 @@ void printResults(const Medians& medians) {
         "16 x 1,800 beams among %d moving boxes at 10 Hz: %.1f times real time%s, of which scans take %.0f %%\n",
         kBoxes, factor, factor < kLeastFactor ? "  TOO LITTLE" : "", 100 * (1 - unheard / flown));
   }
-  if (const double filmed = medians.of("court/filmed"); filmed > 0) {
-    const double factor = kStepsAScan * 1e3 / filmed;
-    std::printf("320 x 240 pixels at 30 Hz: %.1f times real time, if one core drew alone%s\n", factor,
-                factor < kLeastFilmFactor ? "  TOO LITTLE" : "");
+  const auto printFactor = [&medians](const char* what, const std::string& name, double least) {
+    const double factor = kStepsAScan * 1e3 / medians.of(name);
+    if (!std::isfinite(factor)) return;
+    std::printf("%s at 30 Hz: %.1f times real time, if one core does all%s\n", what, factor,
+                factor < least ? "  TOO LITTLE" : "");
+  };
+  printFactor("320 x 240 pixels", "court/filmed", kLeastFilmFactor);
+  printFactor("640 x 480 pixels with depths", "court/filmed_rgbd", kLeastRgbdFactor);
+  const double one = medians.of("court/filmed"), two = medians.of("court/filmed_twice");
+  if (const double none = medians.of("court/unfilmed"); one > 0 && two > 0 && none > 0) {
+    const double ratio = (two - none) / (one - none);
+    std::printf("a picture of 320 x 240 pixels: %.2f ms; two cameras cost %.2f times one%s\n", (one - none) / 3e3,
+                ratio, ratio > kMostOfTwo ? "  TOO MUCH" : "");
+  }
+  for (const char* size : {"320", "640"}) {
+    const double drawn = medians.of("picture/" + std::string(size) + "/rasterized");
+    const double traced = medians.of("picture/" + std::string(size) + "/traced");
+    if (drawn <= 0 || traced <= 0) continue;
+    std::printf("a picture of %s pixels in a row alone: %.2f ms, traced with bare Embree: %.2f ms\n", size, drawn / 1e3,
+                traced / 1e3);
   }
   const double without = medians.of("court/no_sensors"), with = medians.of("court/ten_sensors");
   const double step = medians.of("court/physics");
@@ -216,9 +291,21 @@ int run(int argc, char** argv) {
   add("moving_boxes/unheard", fly, boxes, std::string());
   add("moving_boxes/heard", fly, boxes, std::string("/lidar"));
   // rendering uses other threads, so the time of the whole process counts
-  ::benchmark::RegisterBenchmark("court/filmed", film, filmedCourt())
-      ->Unit(::benchmark::kMicrosecond)
-      ->MeasureProcessCPUTime();
+  using Topics = std::vector<std::string>;
+  for (const auto& [name, topics] : {std::pair("court/unfilmed", Topics{}), std::pair("court/filmed", Topics{"/one"}),
+                                     std::pair("court/filmed_twice", Topics{"/one", "/two"}),
+                                     std::pair("court/filmed_rgbd", Topics{"/rgbd/image", "/rgbd/depth_image"})}) {
+    ::benchmark::RegisterBenchmark(name, film, filmedCourt(), topics)
+        ->Unit(::benchmark::kMicrosecond)
+        ->MeasureProcessCPUTime();
+  }
+  for (const std::uint32_t width : {320U, 640U}) {
+    const std::string name = "picture/" + std::to_string(width);
+    ::benchmark::RegisterBenchmark((name + "/rasterized").c_str(), rasterize, width)
+        ->Unit(::benchmark::kMicrosecond)
+        ->MeasureProcessCPUTime();
+    add(name + "/traced", trace, width);
+  }
   add("court/physics", step, court(0, true), std::string());
   add("court/no_sensors", step, court(0, false), std::string());
   add("court/ten_sensors", step, court(10, false), std::string());
