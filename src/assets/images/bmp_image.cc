@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFileHeader = 14, kInfoHeader = 40;
 
 /// A number of some bytes, the lowest first.
-std::uint32_t numberAt(std::string_view content, std::size_t at, std::size_t bytes) {
+std::uint32_t bmpNumberAt(std::string_view content, std::size_t at, std::size_t bytes) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < bytes; ++i) {
     number |= std::uint32_t{static_cast<std::uint8_t>(content[at + i])} << (8 * static_cast<unsigned>(i));
@@ -25,10 +25,10 @@ std::uint32_t numberAt(std::string_view content, std::size_t at, std::size_t byt
 std::variant<Picture, Problem> readBmp(std::string_view content, std::size_t mostPixels) {
   const auto problem = [](const std::string& what) { return Problem{"can't be read as a BMP image: " + what, {}}; };
   if (content.size() < kFileHeader + kInfoHeader) return problem("it ends early");
-  const std::size_t start = numberAt(content, 10, 4), info = numberAt(content, 14, 4);
-  const auto width = static_cast<std::int32_t>(numberAt(content, 18, 4));
-  const auto height = static_cast<std::int32_t>(numberAt(content, 22, 4));
-  const std::uint32_t bits = numberAt(content, 28, 2), compression = numberAt(content, 30, 4);
+  const std::size_t start = bmpNumberAt(content, 10, 4), info = bmpNumberAt(content, 14, 4);
+  const auto width = static_cast<std::int32_t>(bmpNumberAt(content, 18, 4));
+  const auto height = static_cast<std::int32_t>(bmpNumberAt(content, 22, 4));
+  const std::uint32_t bits = bmpNumberAt(content, 28, 2), compression = bmpNumberAt(content, 30, 4);
   if (info < kInfoHeader || compression != 0 || !(bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32)) {
     return problem("it is of a kind that is not supported, such as a compressed one");
   }
@@ -48,7 +48,7 @@ std::variant<Picture, Problem> readBmp(std::string_view content, std::size_t mos
       std::size_t color = line + column * bits / 8;
       if (bits <= 8) {
         const std::size_t shift = 8 - bits - column * bits % 8;
-        const std::size_t index = numberAt(content, color, 1) >> shift & ((1U << bits) - 1);
+        const std::size_t index = bmpNumberAt(content, color, 1) >> shift & ((1U << bits) - 1);
         color = palette + 4 * index;
         if (color + 4 > start) return problem("it has colours that its palette has not");
       }

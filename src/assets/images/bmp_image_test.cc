@@ -11,7 +11,7 @@
 namespace pongsim::assets {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using BmpBytes = std::vector<std::uint8_t>;
 
 std::string little(std::uint32_t number) {
   std::string bytes;
@@ -29,26 +29,26 @@ std::string bmp(std::int32_t width, std::int32_t height, unsigned bits, const st
          pixels;
 }
 
-Bytes pixelsOf(const std::string& content) {
+BmpBytes bmpPixels(const std::string& content) {
   const auto read = readBmp(content, 100);
   const auto* picture = std::get_if<Picture>(&read);
   if (picture == nullptr) ADD_FAILURE() << std::get<Problem>(read).text;
-  return picture == nullptr ? Bytes() : picture->pixels;
+  return picture == nullptr ? BmpBytes() : picture->pixels;
 }
 
 TEST(BmpImage, IsReadFromTheBottomUnlessItsHeightIsNegative) {
   const std::string lower("\1\2\3\0", 4), upper("\4\5\6\0", 4);
-  const Bytes upright{6, 5, 4, 255, 3, 2, 1, 255};
-  EXPECT_EQ(pixelsOf(bmp(1, 2, 24, lower + upper)), upright);
-  EXPECT_EQ(pixelsOf(bmp(1, -2, 24, upper + lower)), upright);
+  const BmpBytes upright{6, 5, 4, 255, 3, 2, 1, 255};
+  EXPECT_EQ(bmpPixels(bmp(1, 2, 24, lower + upper)), upright);
+  EXPECT_EQ(bmpPixels(bmp(1, -2, 24, upper + lower)), upright);
 }
 
 TEST(BmpImage, HasTheColoursOfEachKind) {
-  EXPECT_EQ(pixelsOf(bmp(1, 1, 32, "\1\2\3\4")), (Bytes{3, 2, 1, 255}));
+  EXPECT_EQ(bmpPixels(bmp(1, 1, 32, "\1\2\3\4")), (BmpBytes{3, 2, 1, 255}));
   const std::string palette("\1\2\3\0\4\5\6\0", 8);
-  EXPECT_EQ(pixelsOf(bmp(2, 1, 8, std::string("\1\0\0\0", 4), palette)), (Bytes{6, 5, 4, 255, 3, 2, 1, 255}));
-  EXPECT_EQ(pixelsOf(bmp(2, 1, 4, std::string("\x10\0\0\0", 4), palette)), (Bytes{6, 5, 4, 255, 3, 2, 1, 255}));
-  EXPECT_EQ(pixelsOf(bmp(2, 1, 1, std::string("\x80\0\0\0", 4), palette)), (Bytes{6, 5, 4, 255, 3, 2, 1, 255}));
+  EXPECT_EQ(bmpPixels(bmp(2, 1, 8, std::string("\1\0\0\0", 4), palette)), (BmpBytes{6, 5, 4, 255, 3, 2, 1, 255}));
+  EXPECT_EQ(bmpPixels(bmp(2, 1, 4, std::string("\x10\0\0\0", 4), palette)), (BmpBytes{6, 5, 4, 255, 3, 2, 1, 255}));
+  EXPECT_EQ(bmpPixels(bmp(2, 1, 1, std::string("\x80\0\0\0", 4), palette)), (BmpBytes{6, 5, 4, 255, 3, 2, 1, 255}));
 }
 
 TEST(BmpImage, IsRefusedWhenItLies) {
@@ -67,7 +67,7 @@ TEST(BmpImage, IsReadFromAFile) {
   const pongsim::test::TempFolder folder;
   const auto read = readPicture(folder.write("p.bmp", bmp(1, 1, 24, std::string("\1\2\3\0", 4))));
   ASSERT_TRUE(std::holds_alternative<Picture>(read));
-  EXPECT_EQ(std::get<Picture>(read).pixels, (Bytes{3, 2, 1, 255}));
+  EXPECT_EQ(std::get<Picture>(read).pixels, (BmpBytes{3, 2, 1, 255}));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct TgaHeader {
 std::size_t bytesOf(unsigned bits) { return (bits + 7) / 8; }
 
 /// @param bytes Of one colour, blue first.
-Pixel colorOf(std::string_view bytes, bool hasOpacity) {
+Pixel tgaColorOf(std::string_view bytes, bool hasOpacity) {
   if (bytes.size() == 2) {
     const unsigned all = shortAt(bytes, 0);
     const auto channel = [all](unsigned shift) { return static_cast<std::uint8_t>((all >> shift & 31U) * 255 / 31); };
@@ -95,12 +95,12 @@ class PixelReader {
     const std::string_view bytes = rest_.substr(0, size_);
     rest_.remove_prefix(size_);
     const unsigned kind = header_.kind & 7U;
-    if (kind == kColors) return colorOf(bytes, header_.opacityBits > 0);
+    if (kind == kColors) return tgaColorOf(bytes, header_.opacityBits > 0);
     const std::uint8_t value = static_cast<std::uint8_t>(bytes[0]);
     if (kind == kGray) return Pixel{value, value, value, 255};
     const std::size_t bytesEach = bytesOf(header_.paletteBits), index = value;
     if (index < header_.paletteStart || index - header_.paletteStart >= header_.paletteLength) return std::nullopt;
-    return colorOf(palette_.substr((index - header_.paletteStart) * bytesEach, bytesEach), true);
+    return tgaColorOf(palette_.substr((index - header_.paletteStart) * bytesEach, bytesEach), true);
   }
 
   const TgaHeader& header_;
@@ -113,7 +113,7 @@ class PixelReader {
   std::optional<Pixel> repeated_;
 };
 
-bool isOneOf(unsigned value, std::initializer_list<unsigned> known) {
+bool isKnownDepth(unsigned value, std::initializer_list<unsigned> known) {
   return std::ranges::find(known, value) != known.end();
 }
 
@@ -124,8 +124,9 @@ bool looksLikeTga(std::string_view content) {
   const TgaHeader header(content);
   const unsigned kind = header.kind & ~kRunLength;
   if (header.width == 0 || header.height == 0 || header.opacityBits > 8) return false;
-  if (kind == kColors) return isOneOf(header.bits, {15, 16, 24, 32});
-  if (kind == kMapped) return header.bits == 8 && header.hasPalette && isOneOf(header.paletteBits, {15, 16, 24, 32});
+  if (kind == kColors) return isKnownDepth(header.bits, {15, 16, 24, 32});
+  if (kind == kMapped)
+    return header.bits == 8 && header.hasPalette && isKnownDepth(header.paletteBits, {15, 16, 24, 32});
   return kind == kGray && header.bits == 8;
 }
 

@@ -30,7 +30,7 @@ std::string tga(unsigned kind, unsigned width, unsigned height, unsigned bits, u
   return header + "id" + palette + pixels;
 }
 
-Bytes pixelsOf(const std::string& content) {
+Bytes tgaPixels(const std::string& content) {
   const auto read = readTga(content, 100);
   const auto* picture = std::get_if<Picture>(&read);
   if (picture == nullptr) ADD_FAILURE() << std::get<Problem>(read).text;
@@ -38,30 +38,30 @@ Bytes pixelsOf(const std::string& content) {
 }
 
 TEST(TgaImage, HasTheColoursOfEachKind) {
-  EXPECT_EQ(pixelsOf(tga(2, 2, 1, 24, 32, "\1\2\3\4\5\6")), (Bytes{3, 2, 1, 255, 6, 5, 4, 255}));
-  EXPECT_EQ(pixelsOf(tga(2, 1, 1, 32, 32 + 8, "\1\2\3\4")), (Bytes{3, 2, 1, 4}));
+  EXPECT_EQ(tgaPixels(tga(2, 2, 1, 24, 32, "\1\2\3\4\5\6")), (Bytes{3, 2, 1, 255, 6, 5, 4, 255}));
+  EXPECT_EQ(tgaPixels(tga(2, 1, 1, 32, 32 + 8, "\1\2\3\4")), (Bytes{3, 2, 1, 4}));
   // without bits of opacity, the fourth byte is none
-  EXPECT_EQ(pixelsOf(tga(2, 1, 1, 32, 32, "\1\2\3\4")), (Bytes{3, 2, 1, 255}));
+  EXPECT_EQ(tgaPixels(tga(2, 1, 1, 32, 32, "\1\2\3\4")), (Bytes{3, 2, 1, 255}));
   // 5 bits each: red 31, green 0, blue 31
-  EXPECT_EQ(pixelsOf(tga(2, 1, 1, 16, 32, "\x1F\x7C")), (Bytes{255, 0, 255, 255}));
-  EXPECT_EQ(pixelsOf(tga(3, 2, 1, 8, 32, "\7\x9")), (Bytes{7, 7, 7, 255, 9, 9, 9, 255}));
-  EXPECT_EQ(pixelsOf(tga(1, 2, 1, 8, 32, std::string("\1\0", 2), "\1\2\3\4\5\6", 24)),
+  EXPECT_EQ(tgaPixels(tga(2, 1, 1, 16, 32, "\x1F\x7C")), (Bytes{255, 0, 255, 255}));
+  EXPECT_EQ(tgaPixels(tga(3, 2, 1, 8, 32, "\7\x9")), (Bytes{7, 7, 7, 255, 9, 9, 9, 255}));
+  EXPECT_EQ(tgaPixels(tga(1, 2, 1, 8, 32, std::string("\1\0", 2), "\1\2\3\4\5\6", 24)),
             (Bytes{6, 5, 4, 255, 3, 2, 1, 255}));
 }
 
 TEST(TgaImage, IsReadFromTheCornerWhereItBegins) {
   // 2 by 2 pixels, 1 to 4 from the upper left
   const Bytes upright{1, 1, 1, 255, 2, 2, 2, 255, 3, 3, 3, 255, 4, 4, 4, 255};
-  EXPECT_EQ(pixelsOf(tga(3, 2, 2, 8, 32, "\1\2\3\4")), upright);
-  EXPECT_EQ(pixelsOf(tga(3, 2, 2, 8, 0, "\3\4\1\2")), upright);
-  EXPECT_EQ(pixelsOf(tga(3, 2, 2, 8, 32 + 16, "\2\1\4\3")), upright);
+  EXPECT_EQ(tgaPixels(tga(3, 2, 2, 8, 32, "\1\2\3\4")), upright);
+  EXPECT_EQ(tgaPixels(tga(3, 2, 2, 8, 0, "\3\4\1\2")), upright);
+  EXPECT_EQ(tgaPixels(tga(3, 2, 2, 8, 32 + 16, "\2\1\4\3")), upright);
 }
 
 TEST(TgaImage, HasRunsAcrossRows) {
   // three times 5, then 6, 7 and 8 as they are
-  EXPECT_EQ(pixelsOf(tga(11, 2, 3, 8, 32, "\x82\5\2\6\7\x8")),
+  EXPECT_EQ(tgaPixels(tga(11, 2, 3, 8, 32, "\x82\5\2\6\7\x8")),
             (Bytes{5, 5, 5, 255, 5, 5, 5, 255, 5, 5, 5, 255, 6, 6, 6, 255, 7, 7, 7, 255, 8, 8, 8, 255}));
-  EXPECT_EQ(pixelsOf(tga(10, 2, 1, 24, 32, "\x81\1\2\3")), (Bytes{3, 2, 1, 255, 3, 2, 1, 255}));
+  EXPECT_EQ(tgaPixels(tga(10, 2, 1, 24, 32, "\x81\1\2\3")), (Bytes{3, 2, 1, 255, 3, 2, 1, 255}));
 }
 
 TEST(TgaImage, IsRefusedWhenItLies) {
