@@ -80,12 +80,12 @@ bool isXacro(const fs::path& file, std::string_view text) {
   return file.extension() == ".xacro" || text.find("<xacro:") != std::string_view::npos;
 }
 
-std::optional<FileText> readExpandedText(const fs::path& file, const std::shared_ptr<const std::string>& name,
+std::optional<ExpandedText> readExpandedText(const fs::path& file, const std::shared_ptr<const std::string>& name,
                                          NamedBy by, bool mayExpand, Diagnostics& diagnostics) {
   std::optional<std::string> text = readFileText(file, name, by, diagnostics);
   if (!text) return std::nullopt;
   std::error_code ignored;
-  if (!isXacro(file, *text) || !fs::is_regular_file(file, ignored)) return FileText{std::move(*text), name};
+  if (!isXacro(file, *text) || !fs::is_regular_file(file, ignored)) return ExpandedText{std::move(*text), name};
   if (!mayExpand) {
     diagnostics.error({name}, "is a xacro file of a model from outside, which is not expanded",
                       "expand it before: xacro FILE > FILE.urdf");
@@ -93,7 +93,7 @@ std::optional<FileText> readExpandedText(const fs::path& file, const std::shared
   }
   text = expandXacro(file, name, diagnostics);
   if (!text) return std::nullopt;
-  return FileText{std::move(*text), std::make_shared<const std::string>(*name + " (expanded)")};
+  return ExpandedText{std::move(*text), std::make_shared<const std::string>(*name + " (expanded)")};
 }
 
 std::optional<std::string> expandXacro(const fs::path& file, const std::shared_ptr<const std::string>& name,

@@ -12,7 +12,7 @@
 namespace pongsim::sdf {
 
 /// What a file contains, after xacro where it is one of its files.
-struct FileText {
+struct ExpandedText {
   std::string text;
   /// Its name in diagnostics: where it was expanded, lines are not those of the file, and the name says so.
   std::shared_ptr<const std::string> name;
@@ -20,7 +20,7 @@ struct FileText {
 
 /// Reads a whole file like `readFileText`, and expands it if it is one of xacro.
 /// @param mayExpand Whether to run xacro, which may read any file; if not, files of xacro are refused.
-std::optional<FileText> readExpandedText(const std::filesystem::path& file,
+std::optional<ExpandedText> readExpandedText(const std::filesystem::path& file,
                                          const std::shared_ptr<const std::string>& name, NamedBy by, bool mayExpand,
                                          Diagnostics& diagnostics);
 

@@ -16,7 +16,7 @@ TEST(Xacro, IsKnownByNameOrMacros) {
 }
 
 TEST(Xacro, IsNotRunForModelsFromOutside) {
-  const test::TempFolder folder;
+  const pongsim::test::TempFolder folder;
   const auto name = std::make_shared<const std::string>("robot.urdf");
   const std::filesystem::path file = folder.write("robot.urdf", kMacros);
   Diagnostics diagnostics;
