@@ -117,7 +117,7 @@ class Load {
   }
 
   Reading readFile(NamedBy by = NamedBy::kUser) {
-    const std::optional<FileText> text = readExpandedText(*name_, name_, by, includes_.mayExpand(*name_), found_);
+    const std::optional<ExpandedText> text = readExpandedText(*name_, name_, by, includes_.mayExpand(*name_), found_);
     return text ? read(text->text, text->name) : Reading();
   }
 

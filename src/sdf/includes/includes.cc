@@ -152,7 +152,7 @@ Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& inc
 }
 
 void Includes::parse(const fs::path& path, const Name& name, File& file) {
-  const std::optional<FileText> text = readExpandedText(path, name, NamedBy::kContent, mayExpand(path), diagnostics_);
+  const std::optional<ExpandedText> text = readExpandedText(path, name, NamedBy::kContent, mayExpand(path), diagnostics_);
   if (!text) return;
   file.size = text->text.size();
   const bool isExpanded = text->name != name;
