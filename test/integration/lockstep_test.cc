@@ -34,9 +34,11 @@ class Driver {
   explicit Driver(std::function<bool(std::uint64_t step)> delay) : delay_(std::move(delay)) {
     testDomain();
     transport_.emplace();
-    clock_ = transport_->node().subscribe<Clock>("/clock", [this](const Clock& clock) { answer(clock); });
     command_ = transport_->node().advertise<Twist>("/cmd_vel");
     thread_ = std::thread([this] {
+      // only then it hears the clock: who hears it can answer
+      while (!isOver_ && !command_.waitForSubscribers(std::chrono::milliseconds(10))) continue;
+      clock_ = transport_->node().subscribe<Clock>("/clock", [this](const Clock& clock) { answer(clock); });
       while (!isOver_) transport_->dispatchFor(std::chrono::milliseconds(10));
     });
   }
@@ -117,6 +119,19 @@ TEST(Lockstep, GivesTheSameBitsHoweverSlowTheControllerIs) {
   }
   const Outcome alone = runToEnd({"run", ownWorld("pong_world.sdf"), "-z", "0", "--hash", "--iterations", "500"});
   EXPECT_NE(alone.output, first);
+}
+
+TEST(Lockstep, TakesTheMessagesOfASenderByTheirOrder) {
+  const auto hashWith = [](const char* rate) {
+    const auto world = start(
+        {"run", ownWorld("pong_world.sdf"), "-z", "0", "--iterations", "3000", "--hash", "--lockstep", "/cmd_vel:500"});
+    const Outcome sent = runToEnd({"topic", "-t", "/cmd_vel", "-m", "ignition.msgs.Twist", "-p", "linear: {x: 0.5}",
+                                   "--rate", rate, "-n", "5", "--timeout", "60"});
+    EXPECT_EQ(sent.exitCode, 0) << sent.error;
+    EXPECT_EQ(world->wait(), 0) << world->error();
+    return world->output();
+  };
+  EXPECT_EQ(hashWith("2"), hashWith("100"));
 }
 
 TEST(Lockstep, EndsWhereTheControllerDies) {

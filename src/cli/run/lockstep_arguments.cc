@@ -77,6 +77,7 @@ void LockstepArguments::addTo(CLI::App& run) {
          "the option can be repeated")
       ->type_name("TOPIC[:EVERY[:COUNT]]")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group(kGroup);
   run.add_option_function<std::vector<std::string>>(
@@ -88,6 +89,7 @@ void LockstepArguments::addTo(CLI::App& run) {
          "Before the first step, wait until somebody subscribes to TOPIC (to any topic);\nthe option can be repeated")
       ->type_name("TOPIC")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group(kGroup);
   run.add_option_function<std::string>(

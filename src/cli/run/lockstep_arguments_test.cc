@@ -55,6 +55,17 @@ TEST(LockstepArguments, RefuseWhatIsNoTopicOrNumber) {
             std::string::npos);
 }
 
+TEST(LockstepArguments, LeaveTheWorldBehindThemAlone) {
+  CLI::App app;
+  LockstepArguments arguments;
+  arguments.addTo(app);
+  std::string world;
+  app.add_option("WORLD", world);
+  app.parse(std::vector<std::string>{"world.sdf", "/lidar", "--lockstep-start", "/a", "--lockstep"});
+  EXPECT_EQ(world, "world.sdf");
+  EXPECT_EQ(arguments.check()->topics.size(), 1U);
+}
+
 TEST(LockstepArguments, BelongTogether) {
   EXPECT_FALSE(optionsOf({}));
   EXPECT_EQ(faultOf({"5", "--lockstep-timeout"}), "option '--lockstep-timeout' needs '--lockstep'");

@@ -363,6 +363,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
           "'pongsim plugin -i faults' and its page say more")
       ->type_name("FAULT")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addNetworkOption(*command);
   addSecureOption(*command);

@@ -11,6 +11,9 @@ namespace {
 
 // Longest wait without a look at what else the run has to do, such as to end.
 constexpr std::chrono::milliseconds kSlice{10};
+// Who is there is found some milliseconds before it has found the world's subscriptions, and what it sent until then
+// would be lost. DDS tells nobody when that is done.
+constexpr std::chrono::milliseconds kSettling{200};
 // After this time a wait is reported, once.
 constexpr std::chrono::seconds kLongWait{10};
 
@@ -58,8 +61,15 @@ void Lockstep::settleLate() {
   }
 }
 
-bool Lockstep::isReady(const Wait& wait) const {
-  return wait.step == 0 ? lacking(0).empty() : gate_.isComplete(wanted_);
+bool Lockstep::isReady(Wait& wait) const {
+  if (wait.step > 0) return gate_.isComplete(wanted_);
+  if (!lacking(0).empty()) {
+    wait.isThereSince.reset();
+    return false;
+  }
+  const Clock::time_point now = Clock::now();
+  if (!wait.isThereSince) wait.isThereSince = now;
+  return areAllSending() || now - *wait.isThereSince >= kSettling;
 }
 
 Outcome<bool> Lockstep::takeIn(const Run& run) {
@@ -107,7 +117,9 @@ void Lockstep::waitOnce(const Wait& wait, const Run& run) {
 Outcome<bool> Lockstep::checkTime(Wait& wait) {
   const Clock::duration waited = Clock::now() - wait.begin;
   if (options_.timeout && waited >= *options_.timeout) {
-    const std::string what = lacking(wait.step) + " within " + secondsOf(*options_.timeout);
+    std::string what = lacking(wait.step);
+    if (what.empty()) return {false, {}};
+    what += " within " + secondsOf(*options_.timeout);
     if (!options_.goesOnWhenLate) return {std::nullopt, "lockstep: " + what};
     log_.warning(what + "; the run goes on, and does not repeat bit for bit");
     for (std::size_t i = 0; i < late_.size(); ++i) {
@@ -140,6 +152,14 @@ Outcome<bool> Lockstep::pass(std::uint64_t step) {
   return {true, {}};
 }
 
+/// Whether messages wait on each topic: controllers that have sent one are ready, whatever they hear.
+bool Lockstep::areAllSending() const {
+  for (std::size_t i = 0; i < options_.topics.size(); ++i) {
+    if (gate_.waiting(i) == 0) return false;
+  }
+  return true;
+}
+
 /// @return What a step waits for; empty if nothing is missing.
 std::string Lockstep::lacking(std::uint64_t step) const {
   std::string text;
@@ -147,7 +167,8 @@ std::string Lockstep::lacking(std::uint64_t step) const {
     const std::string& name = options_.topics[i].name;
     const std::string publishers = gate_.publishers(name);
     if (step == 0) {
-      if (publishers.empty()) addTo(text, "nobody publishes on '" + name + "'");
+      // who has sent something is there
+      if (publishers.empty() && gate_.waiting(i) == 0) addTo(text, "nobody publishes on '" + name + "'");
     } else if (gate_.waiting(i) < wanted_[i]) {
       const std::string many = wanted_[i] == 1 ? "no message on '" : "not enough messages on '";
       addTo(text, many + name + "' for step " + std::to_string(step) + " from " +
@@ -158,7 +179,8 @@ std::string Lockstep::lacking(std::uint64_t step) const {
   for (const std::string& topic : options_.heard) {
     if (!gate_.isHeard(topic)) addTo(text, "nobody subscribes to '" + topic + "'");
   }
-  if (options_.heard.empty() && !gate_.isHeard("")) addTo(text, "nobody subscribes to the world's topics");
+  if (options_.heard.empty() && !areAllSending() && !gate_.isHeard(""))
+    addTo(text, "nobody subscribes to the world's topics");
   return text;
 }
 

@@ -26,7 +26,8 @@ struct LockstepOptions {
   };
   /// At least one.
   std::vector<Topic> topics;
-  /// Before the first step, the world waits until somebody outside subscribes to each of these; empty: to any topic.
+  /// Before the first step, the world waits until somebody outside subscribes to each of these; empty: to any topic,
+  /// or until a message waits on each of `topics`.
   std::vector<std::string> heard;
   /// Longest wait, of wall time.
   std::optional<std::chrono::nanoseconds> timeout = std::nullopt;
@@ -66,16 +67,19 @@ class Lockstep {
     std::uint64_t step;
     Clock::time_point begin = Clock::now();
     bool isReported = false;
+    /// Before the first step: since when everybody is there.
+    std::optional<Clock::time_point> isThereSince = std::nullopt;
   };
 
   bool isDue(std::uint64_t step) const;
   void want(std::uint64_t step);
   void settleLate();
-  bool isReady(const Wait& wait) const;
+  bool isReady(Wait& wait) const;
   void waitOnce(const Wait& wait, const Run& run);
   /// @return Whether the wait is over, because it took too long.
   Outcome<bool> checkTime(Wait& wait);
   Outcome<bool> pass(std::uint64_t step);
+  bool areAllSending() const;
   std::string lacking(std::uint64_t step) const;
 
   Simulation& simulation_;

@@ -150,6 +150,24 @@ TEST_F(LockstepTest, CountsMessagesThatCameEarlyInTheirOrder) {
   EXPECT_EQ(heard_, (Words{"push -1 after 1", "push 1 after 2", "push 2 after 3"}));
 }
 
+TEST_F(LockstepTest, BeginsForASenderThatHearsNothing) {
+  Transport outside(simulation_->transport(), Transport::Sharing());
+  RunOptions run = options(5, {{"/push", 2}});
+  run.lockstep->heard.clear();
+  Runner runner(*simulation_, run);
+  {
+    Publisher push = outside.node().advertise<Int32>("/push");
+    for (const int value : {1, 2}) {
+      Int32 message;
+      message.set_data(value);
+      push.publish(message);
+    }
+  }
+  runner.run();
+  EXPECT_TRUE(runner.outcome()) << runner.outcome().error;
+  EXPECT_EQ(heard_, (Words{"push 1 after 2", "push 2 after 4"}));
+}
+
 TEST_F(LockstepTest, EndsWhereNobodyIsThereInTime) {
   RunOptions run = options(5, {{"/push"}});
   run.lockstep->timeout = std::chrono::milliseconds(20);
