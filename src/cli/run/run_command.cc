@@ -202,11 +202,15 @@ bool addLockstep(const Worlds& worlds, const RunCommandOptions& options, sim::Ru
     sayError("a run in lockstep is of a single world", "choose one: pongsim run FILE -w WORLD --lockstep TOPIC");
     return false;
   }
-  if (options.verbosity < LogLevel::kWarning) return true;
+  return true;
+}
+
+/// Warns about topics of the lockstep that the world does not have.
+void warnOfUnknownTopics(const Worlds& worlds, const RunCommandOptions& options, const sim::RunOptions& run) {
+  if (!run.lockstep || options.verbosity < LogLevel::kWarning) return;
   for (const std::string& sentence : unknownTopics(*run.lockstep, worlds.front()->transport().node())) {
     say("warning: " + sentence);
   }
-  return true;
 }
 
 /// Warns about Fortress options and variables that have no effect.
@@ -249,6 +253,8 @@ int runWorlds(const RunCommandOptions& options) {
     inputs->addTo(run);
   }
   std::optional<sim::Server> server(std::in_place, transport, worlds, run);
+  // which has the run's own, such as the clock
+  warnOfUnknownTopics(worlds, options, run);
   {
     const StopSignal::Callback stop(signal, [&server] { server->stop(); });
     std::string status;
