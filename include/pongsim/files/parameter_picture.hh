@@ -17,7 +17,7 @@ struct ParameterPicture {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Reads the PNG or JPEG file that a parameter of a system names, as `parameterFile` does.
+/// Reads the picture (PNG, JPEG, TGA or BMP) that a parameter of a system names, as `parameterFile` does.
 /// @throws Error with the position of the element if there is none that can be read.
 PONGSIM_API ParameterPicture parameterPicture(const Element& element);
 

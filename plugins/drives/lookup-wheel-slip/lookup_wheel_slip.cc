@@ -48,7 +48,7 @@ class LookupWheelSlip final : public System {
     declaration.usesFiles();
     declaration
         .parameter("slip_map", &file_, "",
-                   "PNG or JPEG picture: red adds to the lateral slip compliance, green to the longitudinal, "
+                   "picture: red adds to the lateral slip compliance, green to the longitudinal, "
                    "blue to the friction coefficients, each (value - 128) times its `..._delta`")
         .required();
     declaration.parameter("size_x", &map_.sizeX, "m", "extent of the picture along x").required().above(0);

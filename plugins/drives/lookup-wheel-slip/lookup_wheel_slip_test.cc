@@ -112,7 +112,7 @@ TEST(LookupWheelSlip, SaysWhatItCanNotUse) {
     return all.empty() ? "" : all.front();
   };
   EXPECT_NE(complaint("slip_map.png", "none.png").find("none.png' is not found"), std::string::npos);
-  EXPECT_NE(complaint("slip_map.png", "README.md").find("is neither a PNG nor a JPEG image"), std::string::npos);
+  EXPECT_NE(complaint("slip_map.png", "README.md").find("is not a PNG, JPEG, TGA or BMP image"), std::string::npos);
   EXPECT_NE(complaint("<wheel_link_name>front_left", "<wheel_link_name>body")
                 .find("'body' is no wheel of WheelSlip in model 'cart'"),
             std::string::npos);

@@ -241,8 +241,9 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
 void ServiceServer::takeReady(Offer& offer, const IsInside& isInside, std::vector<Ready>& ready) {
   const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
   const std::uint64_t limit = offer.queue.requestLimit;
+  const bool isReplaced = offer.queue.replaces();
   std::erase_if(offer.waiting, [&](Offer::Request& request) REQUIRES(requestsRole) {
-    if (offer.queue.replaces() && request.client != kOwn) return false;
+    if (isReplaced && request.client != kOwn) return false;
     if (request.number >= limit && !(request.client == kOwn && isInside(request.call))) return false;
     const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
     if (!isReady && request.came >= tooOld) return false;
