@@ -128,13 +128,13 @@ StateVector::StateVector(Simulation& simulation) : contents_(countOf(simulation)
       const bool isWhole = size == firstLink[i + 1] - firstLink[i] && group->second.back() < firstLink[i + 1];
       free.push_back({links[link], isWhole ? std::optional(tops[i]) : std::nullopt, isWhole || size == 1});
     }
-    add(tops[i], free);
+    add(tops[i], i, free);
   }
 }
 
-void StateVector::add(const Model& top, const std::vector<Free>& free) {
-  const auto addPiece = [this](std::string name, bool isFree, std::size_t positions, std::size_t velocities) {
-    pieces_.push_back({std::move(name), isFree, positionCount_, positions, velocityCount_, velocities});
+void StateVector::add(const Model& top, std::size_t number, const std::vector<Free>& free) {
+  const auto addPiece = [this, number](std::string name, bool isFree, std::size_t positions, std::size_t velocities) {
+    pieces_.push_back({std::move(name), isFree, positionCount_, positions, velocityCount_, velocities, number});
     positionCount_ += positions;
     velocityCount_ += velocities;
   };
@@ -225,7 +225,28 @@ void StateVector::forEachFree(Function function) {
   }
 }
 
+void StateVector::stopWhatMoves(std::span<const double> positions) {
+  std::vector<bool> moves(pieces_.empty() ? 0 : pieces_.back().model + 1, false);
+  std::vector<double> now(positionCount_);
+  readPositions(now);
+  for (const Piece& piece : pieces_) {
+    const auto of = [&](std::span<const double> numbers) { return numbers.subspan(piece.position, piece.positions); };
+    if (!piece.isFree && !std::ranges::equal(of(positions), of(now))) moves[piece.model] = true;
+  }
+  auto joint = joints_.begin();
+  for (const Piece& piece : pieces_) {
+    if (piece.isFree) continue;
+    // one in a loop refuses, and goes on
+    for (int axis = 0; moves[piece.model] && axis < joint->axisCount(); ++axis) joint->resetVelocity(0, axis);
+    ++joint;
+  }
+  forEachFree([&](const Piece& piece, Free& free) {
+    if (moves[piece.model] && free.canBeSet) free.setVelocity({});
+  });
+}
+
 void StateVector::setPositions(std::span<const double> positions) {
+  stopWhatMoves(positions);
   // joints first: they may move the link that a model's pose is that of
   setJoints(positions, &Piece::position, &Joint::position, &Joint::resetPosition);
   forEachFree([&](const Piece& piece, Free& free) {

@@ -35,6 +35,8 @@ class StateVector {
     bool isFree = false;
     std::size_t position = 0, positions = 0;
     std::size_t velocity = 0, velocities = 0;
+    /// Which of the top-level models it belongs to.
+    std::size_t model = 0;
   };
   const std::vector<Piece>& pieces() const { return pieces_; }
   std::size_t positionCount() const { return positionCount_; }
@@ -64,7 +66,7 @@ class StateVector {
     void checkCanBeSet(const std::string& name) const;
   };
   static std::vector<std::uint64_t> countOf(Simulation& simulation);
-  void add(const Model& top, const std::vector<Free>& free);
+  void add(const Model& top, std::size_t number, const std::vector<Free>& free);
   /// Calls a function with each free piece and what it is, in order.
   template <class Function>
   void forEachFree(Function function);
@@ -73,6 +75,9 @@ class StateVector {
   void setJoints(std::span<const double> numbers, std::size_t Piece::*place, double (Joint::*now)(int) const,
                  Outcome<void> (Joint::*set)(double, int));
   void setPositions(std::span<const double> positions);
+  /// Stops the models of which a joint is to move: otherwise velocities would rotate with what it moves, and the joints
+  /// would be torn apart by what they were before.
+  void stopWhatMoves(std::span<const double> positions);
   void setVelocities(std::span<const double> velocities);
 
   std::vector<std::uint64_t> contents_;

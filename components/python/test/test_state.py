@@ -76,6 +76,27 @@ def test_positions_and_velocities_are_set_apart(many):
     assert many.qvel == pytest.approx(2 * qvel, abs=1e-12)
 
 
+TUMBLING = """<sdf version="1.9"><model name="m"><pose>0 0 5 0 0 0</pose><link name="a"/>
+  <link name="b"><pose>1 0 0 0 0 0</pose></link><link name="c"><pose>2 0 0 0 0 0</pose></link>
+  <joint name="ab" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 1 0</xyz></axis></joint>
+  <joint name="bc" type="prismatic"><parent>b</parent><child>c</child><axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+
+
+def test_positions_of_what_moves_keep_its_joints_together():
+    with pongsim.Simulation(TUMBLING) as sim:
+        qvel = np.arange(1.0, 9.0)
+        sim.qvel = qvel
+        qpos = sim.qpos.copy()
+        qpos[7:] += 0.3, 0.4
+        sim.qpos = qpos
+        assert sim.qvel == pytest.approx(qvel, abs=1e-12)
+        # the links' velocities are those that the numbers say, so a step has nothing to correct
+        for link in sim.model("m").links:
+            J = link.jacobian()
+            assert J[:3] @ qvel == pytest.approx(link.linear_velocity, abs=1e-9)
+            assert J[3:] @ qvel == pytest.approx(link.angular_velocity, abs=1e-9)
+
+
 def test_what_is_there_already_changes_no_bit(many):
     many.set_state(*random_state(many, 2))
     many.step(10)
