@@ -11,8 +11,6 @@ import zlib
 from typing import Callable, TypedDict
 from xml.sax.saxutils import escape
 
-from .. import _core
-from ..arrays import view
 from ..simulation import Simulation
 from .execute import execute, text_of
 from .programs import Noted
@@ -109,15 +107,15 @@ def draw(sim: Simulation, folder: str) -> list[str]:
         if "camera" not in sensor.type or "logical" in sensor.type:
             continue
         try:
-            width, height, field_of_view, offset = _core.lens(sensor)
-            memory = _core.Painter(sim, width, height, field_of_view).draw(sensor.pose, offset)
+            pixels = sim.render(name)
         except (ValueError, RuntimeError) as error:
             # such as without the library that renders
             made.append(f"(no picture of {name}: {error})")
             continue
         path = os.path.join(folder, re.sub(r"[^A-Za-z0-9_.-]+", "_", name) + ".png")
         with open(path, "wb") as file:
-            file.write(png(view(memory, "u1", (height, width, 3)).tobytes(), width, height))
+            height, width, _ = pixels.shape
+            file.write(png(pixels.tobytes(), width, height))
         made.append(path)
     return made
 
