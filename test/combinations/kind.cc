@@ -93,10 +93,10 @@ Kind kindOf(const std::string& name, const std::string& content) {
 Kind kindFrom(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  // a table lies beside the example that reads it
-  constexpr std::string_view kTable = "<data>";
-  if (const std::size_t at = text.find(kTable); at != std::string::npos) {
-    text.insert(at + kTable.size(), file.parent_path().string() + "/");
+  // tables and maps lie beside the example that reads them
+  for (const std::string_view beside : {"<data>", "<slip_map>"}) {
+    const std::size_t at = text.find(beside);
+    if (at != std::string::npos) text.insert(at + beside.size(), file.parent_path().string() + "/");
   }
   Kind kind = split(file.stem().string(), text);
   const Regex command(R"re(pongsim topic -t (\S+) -m (\S+) -p "([^"]*)")re");

@@ -17,7 +17,7 @@ tomllib = pytest.importorskip("tomllib", reason="Python 3.11 reads it")
 PYPROJECT = tomllib.loads((PROJECT / "pyproject.toml").read_text())
 SOURCES = PROJECT / "components/python/pongsim"
 #: Names of modules that differ from PyPI's.
-NAMES = {"yaml": "PyYAML", "google": "protobuf"}
+NAMES = {"yaml": "PyYAML", "google": "protobuf", "stable_baselines3": "stable-baselines3"}
 
 
 def test_the_version_is_that_of_the_build():

@@ -71,7 +71,7 @@ TEST(Fault, IsThereFromATimeToAnother) {
 TEST(Fault, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(errorOf({}),
             "5: <fault> has no type; types are drop, duplicate, delay, noise, freeze, sensor, stick, slip, weaken");
-  EXPECT_EQ(errorOf({{"type", "frees"}}), "32: there is no fault 'frees'; did you mean 'freeze'?");
+  EXPECT_EQ(errorOf({{"type", "freez"}}), "32: there is no fault 'freez'; did you mean 'freeze'?");
   EXPECT_EQ(errorOf({{"type", "drop"}}), "5: a fault of type 'drop' needs 'topic'");
   EXPECT_EQ(errorOf({{"type", "drop"}, {"topic", "/a b"}}), "52: '/a b' is no name of a topic: it has a space");
   EXPECT_EQ(errorOf({{"type", "drop"}, {"topic", "/a"}, {"probabilty", "1"}}),

@@ -64,6 +64,7 @@ struct RunCommandOptions {
   bool levels = false;
   /// Empty: none.
   std::string recordedInputs;
+  std::vector<std::string> xacroArguments;
   /// From extensions.
   RunAdditions additions;
   FortressRunOptions fortress;
@@ -274,6 +275,7 @@ int runWorlds(const RunCommandOptions& options) {
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
+  passToXacro(options.xacroArguments);
   if (options.hasFile && options.file.empty()) throw UsageError("no world file given", "pongsim run WORLD");
   const std::string& worldOption = options.additions.worldOption;
   if (options.hasFile && !worldOption.empty()) {
@@ -311,8 +313,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
           "or an address on a Fuel server. Without it an empty world, 'default', is run")
       ->type_name("");
   command
-      ->add_option_function<std::vector<std::string>>(
-          "ARG:=VALUE", passToXacro, "Arguments of the xacro files that are read, of WORLD or included")
+      ->add_option("ARG:=VALUE", options->xacroArguments,
+                   "Arguments of the xacro files that are read, of WORLD or included")
       ->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();

@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds kRangePeriod{100};
 RunHistory::RunHistory(Simulation& simulation, bool isKept) : simulation_(simulation), range_(newMessage(kRangeType)) {
   if (!isKept || !simulation.hasPhysics()) return;
   publisher_ = simulation.transport().node().advertise(
-      cleanTopic("/world/" + std::string(simulation.world().name()) + "/playback/stats"), kRangeType);
+      cleanTopic("/world/" + std::string(simulation.world().name()) + "/playback/stats"), kRangeType,
+      {.ownOnly = true});
 }
 
 void RunHistory::stepped() {

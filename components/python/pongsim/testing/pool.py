@@ -85,6 +85,8 @@ class _Worker:
 def _work(cases: Sequence[Case], place: pathlib.Path, connection: Connection, parent: int) -> NoReturn:
     """What a forked process does until its parent ends."""
     def stop(signum: int, frame: object) -> None:
+        # a second one would go past what catches the first
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
         raise _Stopped
 
     code = 0
