@@ -81,6 +81,7 @@ class _Attempt:
             stack.callback(self._end_programs)
             for program in self.case.programs:
                 self.beside.append(Beside(program, noted))
+                self.beside[-1].start()
             with self._world(number) as sim:
                 try:
                     self._run(sim)

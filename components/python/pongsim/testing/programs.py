@@ -36,30 +36,37 @@ def _begin() -> None:
     _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
 
 
 class Beside:
-    """A running program with all that it starts: a group of processes of its own."""
+    """A program with all that it starts: a group of processes of its own."""
 
     def __init__(self, program: Program, noted: Noted) -> None:
-        """Starts it. Raises ProgramError."""
         self.program = program
         self._noted = noted
         self._output: IO[bytes] = tempfile.TemporaryFile()
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def start(self) -> None:
+        """Starts it. Raises ProgramError. Whatever it raises, `end` ends what has started."""
+        program = self.program
         environment = {**os.environ, **program.environment}
+        # a signal that ends this process waits until the new one is known here
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})
         try:
             self._process = subprocess.Popen(
                 program.command, cwd=program.folder, env=environment, stdin=subprocess.DEVNULL, stdout=self._output,
                 stderr=subprocess.STDOUT, start_new_session=True,
                 preexec_fn=_begin)
         except OSError as error:
-            self._output.close()
             where = f"{error.filename}: {error.strerror}" if error.filename else str(error)
             raise ProgramError(f"program '{program.name}' does not start: {where}") from None
         except subprocess.SubprocessError as error:
-            self._output.close()
             raise ProgramError(f"program '{program.name}' does not start: {error}") from None
-        noted(self._process.pid, True)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        self._noted(self._process.pid, True)
 
     def output(self) -> str:
         """Returns all that it has printed so far."""
@@ -73,6 +80,7 @@ class Beside:
 
     def check(self) -> None:
         """Raises ProgramError if it has ended and must not have."""
+        assert self._process is not None
         code = self._process.poll()
         if code is None or (code == 0 and self.program.ends):
             return
@@ -84,6 +92,7 @@ class Beside:
         is_known: whether a topic has a publisher (True) or a subscriber in another process.
         go_on: called meanwhile.
         """
+        assert self._process is not None
         ready = self.program.ready
         if ready is None:
             return
@@ -105,6 +114,9 @@ class Beside:
 
     def end(self) -> str:
         """Ends it and all that it has started, and returns what it printed."""
+        if self._process is None:
+            self._output.close()
+            return ""
         group = self._process.pid
         for number, patience in _PATIENCE:
             with contextlib.suppress(ProcessLookupError, PermissionError):
@@ -115,7 +127,9 @@ class Beside:
         # what it has started and left behind
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(group, signal.SIGKILL)
-        self._noted(group, False)
+        # who is to be told may be gone
+        with contextlib.suppress(OSError):
+            self._noted(group, False)
         text = self.output()
         self._output.close()
         return text
