@@ -1,7 +1,9 @@
 #include "transport/delivery.hh"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "transport/deadline.hh"
 #include "transport/dispatch_queue.hh"
@@ -168,6 +170,17 @@ void Delivery::collect(DispatchQueue& queue) {
 void Delivery::setGate(Gate* gate) {
   const WaitingLock lock(mutex);
   gate_ = gate;
+  if (gate == nullptr) return;
+  // what came before it is held, and counts, too
+  std::vector<Arrival> came;
+  for (const Inbox* inbox : gate->queue().inboxesWithArrivals) {
+    std::ranges::copy_if(inbox->waiting(), std::back_inserter(came), &Arrival::isOutside);
+  }
+  std::ranges::sort(came, {}, &Arrival::number);
+  for (std::size_t i = 0; i < came.size(); ++i) {
+    const bool isLastOfMessage = i + 1 == came.size() || came[i + 1].parcel != came[i].parcel;
+    if (isLastOfMessage) gate->arrived(came[i].inbox->channel, came[i].number + 1);
+  }
 }
 
 void Delivery::discard(DispatchQueue& queue) {

@@ -64,6 +64,29 @@ TEST_F(GateTest, TakesInAtTicksOnlyWhatTheyWaitFor) {
   EXPECT_EQ(gate_.waiting(0), 0U);
 }
 
+// a controller may be there before the world has its gate
+TEST(Gate, CountsWhatCameBeforeIt) {
+  Transport inside({.network = false, .domain = {}});
+  Transport outside(inside, Transport::Sharing());
+  std::vector<int> heard;
+  const auto hear = [&heard](const Int32& message) { heard.push_back(message.data()); };
+  const Subscription first = inside.node().subscribe<Int32>("/a", hear);
+  const Subscription second = inside.node().subscribe<Int32>("/a", hear);
+  Publisher publisher = outside.node().advertise<Int32>("/a");
+  Int32 message;
+  for (const int value : {1, 2}) {
+    message.set_data(value);
+    publisher.publish(message);
+  }
+  Gate gate(inside, {"/a"});
+  EXPECT_EQ(gate.waiting(0), 2U);
+  inside.dispatch();
+  EXPECT_EQ(heard, std::vector<int>{});
+  gate.pass(Wanted{1});
+  EXPECT_EQ(heard, (std::vector{1, 1}));
+  EXPECT_EQ(gate.waiting(0), 1U);
+}
+
 TEST_F(GateTest, TakesSeveralMessagesAndLeavesTopicsThatAreNotDue) {
   for (const int value : {1, 2, 3}) send(toA_, value);
   send(toB_, 1);

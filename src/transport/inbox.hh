@@ -58,6 +58,7 @@ class Inbox {
   /// Forgets all waiting messages but `kept`. Takes no memory.
   void forgetUnread(ParcelPool& pool, const Parcel* kept = nullptr) REQUIRES(waitingRole);
   std::size_t size() const REQUIRES(waitingRole) { return waiting_.size() - first_; }
+  std::span<const Arrival> waiting() const REQUIRES(waitingRole) { return std::span(waiting_).subspan(first_); }
   /// Without dropped ones.
   std::uint64_t received() const REQUIRES(waitingRole) { return added_ - dropped_; }
   std::uint64_t dropped() const REQUIRES(waitingRole) { return dropped_; }
