@@ -72,7 +72,7 @@ class Renderer::Content {
         store_(gl_),
         surfaces_(gl_),
         resolve_(gl_),
-        depths_(gl_, shaders::kSurfaceVertex, shaders::kDepthFragment),
+        depthPass_(gl_),
         sky_(gl_, shaders::kSkyVertex, shaders::kSkyFragment),
         lines_(gl_) {
     gl_.clipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -119,20 +119,8 @@ class Renderer::Content {
   }
 
   void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
-    assert(depths.size() == std::size_t{view.width} * view.height);
-    tidy(scene);
-    const Frame& frame = frameFor(Frame::Kind::kDepths, view, 1);
-    gl_.disable(GL_FRAMEBUFFER_SRGB);
-    begin(frame);
-    constexpr std::array<float, 4> kNothing{INFINITY, 0, 0, 0};
-    gl_.clearBufferfv(GL_COLOR, 0, kNothing.data());
-    const Matrix4d clip = clipFromPlace(view);
-    depths_.use();
-    setMatrix(shaders::kClipFromPlace, clip);
-    const Eigen::Vector3f ahead = (view.X_WorldEye.rotation * Vector3::UnitX()).cast<float>();
-    gl_.uniform3fv(shaders::kAhead, 1, ahead.data());
-    for (const Item* item : seenItems(scene, view, clip)) drawSurface(*item, view.X_WorldEye.position);
-    frame.read(depths);
+    depthPass_.setAhead(view.X_WorldEye.rotation * Vector3::UnitX());
+    drawValues(scene, view, depthPass_, INFINITY, depths);
   }
 
   void drawNumbers(const Scene& scene, const PictureView& view, std::span<std::uint32_t> numbers) {
@@ -277,7 +265,7 @@ class Renderer::Content {
   std::map<int, std::unique_ptr<ShadowMaps>> shadows_;
   SurfacePrograms surfaces_;
   Resolve resolve_;
-  Program depths_;
+  DepthPass depthPass_;
   /// Created for the first picture of the kind.
   std::unique_ptr<NumberPass> numberPass_;
   std::unique_ptr<TemperaturePass> temperaturePass_;

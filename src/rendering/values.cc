@@ -40,6 +40,14 @@ const Eigen::Vector3f kBrightness{0.299F, 0.587F, 0.114F};
 
 }  // namespace
 
+DepthPass::DepthPass(const Gl& gl) : gl_(gl), program_(gl, shaders::kSurfaceVertex, shaders::kDepthFragment) {}
+
+void DepthPass::use() const {
+  program_.use();
+  const Eigen::Vector3f ahead = ahead_.cast<float>();
+  gl_.uniform3fv(shaders::kAhead, 1, ahead.data());
+}
+
 NumberPass::NumberPass(const Gl& gl) : gl_(gl), program_(gl, shaders::kSurfaceVertex, kNumberFragment) {}
 
 void NumberPass::set(const Item& item, Store&) const { gl_.uniform1f(kNumber, static_cast<float>(item.number + 1)); }

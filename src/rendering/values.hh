@@ -12,6 +12,21 @@ namespace pongsim::rendering {
 // What is drawn for pictures of one number per pixel, without lights: each class has a program, and sets its uniforms
 // for each surface.
 
+/// Draws depths along the camera's axis [m].
+class DepthPass {
+ public:
+  explicit DepthPass(const Gl& gl);
+  /// @param ahead The camera's axis in the world frame.
+  void setAhead(const Vector3& ahead) { ahead_ = ahead; }
+  void use() const;
+  void set(const Item&, Store&) const {}
+
+ private:
+  const Gl& gl_;
+  Program program_;
+  Vector3 ahead_ = Vector3::UnitX();
+};
+
 /// Draws 1 + `Item::number`.
 class NumberPass {
  public:
