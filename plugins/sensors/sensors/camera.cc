@@ -56,10 +56,9 @@ CameraSensor::Kind CameraSensor::kindOf(const Sensor& sensor) {
 }
 
 CameraSensor::CameraSensor(const SensorContext& context, CameraSurroundings& surroundings)
-    : SensorOf(context),
+    : CameraOf(context, surroundings,
+               kindOf(context.sensor) == Kind::kBoth ? CameraBody::InfoPlace::kBelow : CameraBody::InfoPlace::kBeside),
       kind_(kindOf(context.sensor)),
-      body_(context, surroundings,
-            kind_ == Kind::kBoth ? CameraBody::InfoPlace::kBelow : CameraBody::InfoPlace::kBeside),
       settings_(body_.settings()),
       topic_(context.topic),
       noise_(context.noises.add(settings_.noise, "image")),

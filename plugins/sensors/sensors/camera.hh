@@ -19,12 +19,11 @@
 namespace pongsim {
 
 /// One camera for colours, depths or both.
-class CameraSensor final : public SensorOf<ignition::msgs::Image> {
+class CameraSensor final : public CameraOf<ignition::msgs::Image> {
  public:
   /// @throws Error if its settings are not supported, or it has too many pixels.
   CameraSensor(const SensorContext& context, CameraSurroundings& surroundings);
 
-  bool isReady() override { return body_.isReady(); }
   void measure() override;
   /// @return The pixels as in the message. An image that needs no processing is rendered directly into the first
   /// subscriber's buffer, when that asks for it.
@@ -32,8 +31,6 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   bool isHeardElsewhere() const override;
   /// Publishes and saves what `measure` has measured.
   void publishElsewhere() override;
-  void reset() override { body_.reset(); }
-  void transfer(StateArchive& archive) override { body_.transfer(archive); }
 
  private:
   enum class Kind { kColors, kDepths, kBoth };
@@ -56,7 +53,6 @@ class CameraSensor final : public SensorOf<ignition::msgs::Image> {
   void writePoints(std::span<std::byte> to) const;
 
   Kind kind_;
-  CameraBody body_;
   const CameraSettings& settings_;
   const SensorTopic& topic_;
   Noise& noise_;

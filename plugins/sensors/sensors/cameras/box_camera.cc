@@ -59,10 +59,8 @@ Quaternion toRenderersFrame() {
 
 }  // namespace
 
-BoxView::BoxView(const SensorContext& context, CameraSurroundings& surroundings)
-    : body_(context, surroundings, CameraBody::InfoPlace::kBeside),
-      topic_(context.topic),
-      images_(context.advertise(SensorReadings::kImage)) {
+BoxView::BoxView(const SensorContext& context, CameraBody& body)
+    : body_(body), topic_(context.topic), images_(context.advertise(SensorReadings::kImage)) {
   beginImage(body_.settings().width, body_.settings().height, ignition::msgs::RGB_INT8, 3, image_);
   if (body_.saves()) body_.beginSavingAt(filesIn(std::filesystem::path(body_.settings().savePath) / kSampleImages));
 }
@@ -123,21 +121,20 @@ void BoxView::save(const std::string& table) {
 }
 
 ImageBoxCamera::ImageBoxCamera(const SensorContext& context, CameraSurroundings& surroundings)
-    : SensorOf(context), view_(context, surroundings) {}
+    : CameraOf(context, surroundings, CameraBody::InfoPlace::kBeside), view_(context, body_) {}
 
 void ImageBoxCamera::measure() {
   boxes_.clear();
   message().clear_annotated_box();
   if (!view_.isWanted()) return;
-  const CameraBody& body = view_.body();
-  const bool isFull = body.settings().boxes == CameraSettings::Boxes::kFull2d;
-  const PictureView eye = body.view();
+  const bool isFull = body_.settings().boxes == CameraSettings::Boxes::kFull2d;
+  const PictureView eye = body_.view();
   const AlignedBox2d image(Vector2d::Zero(), Vector2d(eye.width - 1.0, eye.height - 1.0));
   for (const BoxView::Group& group : view_.groups()) {
     AlignedBox2d box = group.pixels;
     if (isFull) {
       box.setEmpty();
-      for (const std::size_t visual : group.visuals) box.extend(body.scene().imageBounds(visual, eye));
+      for (const std::size_t visual : group.visuals) box.extend(body_.scene().imageBounds(visual, eye));
       // of what is seen in the last column only, nothing is before it
       box = {box.min().cwiseMax(image.min()).cwiseMin(image.max()), box.max().cwiseMin(image.max())};
     }
@@ -157,20 +154,19 @@ void ImageBoxCamera::publishElsewhere() {
   std::vector<Vector2d> edges;
   for (const ImageBox& each : boxes_) addEdges(each.box, edges);
   view_.publish(message().header(), edges);
-  if (view_.body().saves()) view_.save(tableOf(boxes_));
+  if (body_.saves()) view_.save(tableOf(boxes_));
 }
 
 SpaceBoxCamera::SpaceBoxCamera(const SensorContext& context, CameraSurroundings& surroundings)
-    : SensorOf(context), view_(context, surroundings) {}
+    : CameraOf(context, surroundings, CameraBody::InfoPlace::kBeside), view_(context, body_) {}
 
 void SpaceBoxCamera::measure() {
   boxes_.clear();
   message().clear_annotated_box();
   if (!view_.isWanted()) return;
-  const CameraBody& body = view_.body();
-  const Pose X_RendererWorld = Pose{Vector3::Zero(), toRenderersFrame()} * body.view().X_WorldEye.inverse();
+  const Pose X_RendererWorld = Pose{Vector3::Zero(), toRenderersFrame()} * body_.view().X_WorldEye.inverse();
   for (const BoxView::Group& group : view_.groups()) {
-    TurnedBox box = body.scene().turnedBox(group.visuals);
+    TurnedBox box = body_.scene().turnedBox(group.visuals);
     box.pose = X_RendererWorld * box.pose;
     boxes_.push_back({group.label, box});
     auto& added = *message().add_annotated_box();
@@ -183,9 +179,9 @@ void SpaceBoxCamera::measure() {
 
 void SpaceBoxCamera::publishElsewhere() {
   std::vector<Vector2d> edges;
-  for (const SpaceBox& each : boxes_) addEdges(each.box, view_.body().view(), edges);
+  for (const SpaceBox& each : boxes_) addEdges(each.box, body_.view(), edges);
   view_.publish(message().header(), edges);
-  if (view_.body().saves()) view_.save(tableOf(boxes_));
+  if (body_.saves()) view_.save(tableOf(boxes_));
 }
 
 }  // namespace pongsim

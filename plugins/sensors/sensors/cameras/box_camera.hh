@@ -39,11 +39,9 @@ class BoxView {
     Eigen::AlignedBox2d pixels;
   };
 
-  /// @throws Error if its settings are not supported, or it has too many pixels.
-  BoxView(const SensorContext& context, CameraSurroundings& surroundings);
+  /// @param body Must outlive it.
+  BoxView(const SensorContext& context, CameraBody& body);
 
-  CameraBody& body() { return body_; }
-  const CameraBody& body() const { return body_; }
   /// @return Whether anybody wants boxes or the image.
   bool isWanted() const { return topic_.hasSubscribers() || images_.hasSubscribers() || body_.saves(); }
   bool isHeardElsewhere() const { return body_.isInfoHeard() || images_.hasSubscribers() || body_.saves(); }
@@ -61,7 +59,7 @@ class BoxView {
  private:
   void draw();
 
-  CameraBody body_;
+  CameraBody& body_;
   const SensorTopic& topic_;
   Publisher images_;
   ignition::msgs::Image image_;
@@ -70,17 +68,14 @@ class BoxView {
 };
 
 /// A camera that says where in its image labelled things are: around what is seen of them, or around all of them.
-class ImageBoxCamera final : public SensorOf<ignition::msgs::AnnotatedAxisAligned2DBox_V> {
+class ImageBoxCamera final : public CameraOf<ignition::msgs::AnnotatedAxisAligned2DBox_V> {
  public:
-  /// @throws Error like `BoxView`.
+  /// @throws Error if its settings are not supported, or it has too many pixels.
   ImageBoxCamera(const SensorContext& context, CameraSurroundings& surroundings);
 
-  bool isReady() override { return view_.body().isReady(); }
   void measure() override;
   bool isHeardElsewhere() const override { return view_.isHeardElsewhere(); }
   void publishElsewhere() override;
-  void reset() override { view_.body().reset(); }
-  void transfer(StateArchive& archive) override { view_.body().transfer(archive); }
 
  private:
   BoxView view_;
@@ -88,17 +83,14 @@ class ImageBoxCamera final : public SensorOf<ignition::msgs::AnnotatedAxisAligne
 };
 
 /// A camera that says where in space labelled things are, and how they are turned.
-class SpaceBoxCamera final : public SensorOf<ignition::msgs::AnnotatedOriented3DBox_V> {
+class SpaceBoxCamera final : public CameraOf<ignition::msgs::AnnotatedOriented3DBox_V> {
  public:
-  /// @throws Error like `BoxView`.
+  /// @throws Error if its settings are not supported, or it has too many pixels.
   SpaceBoxCamera(const SensorContext& context, CameraSurroundings& surroundings);
 
-  bool isReady() override { return view_.body().isReady(); }
   void measure() override;
   bool isHeardElsewhere() const override { return view_.isHeardElsewhere(); }
   void publishElsewhere() override;
-  void reset() override { view_.body().reset(); }
-  void transfer(StateArchive& archive) override { view_.body().transfer(archive); }
 
  private:
   BoxView view_;

@@ -84,4 +84,20 @@ class CameraBody {
   std::uint64_t savedCount_ = 0;
 };
 
+/// A camera with a message. A derived class implements the measurement.
+template <class Message>
+class CameraOf : public SensorOf<Message> {
+ public:
+  bool isReady() final { return body_.isReady(); }
+  void reset() final { body_.reset(); }
+  void transfer(StateArchive& archive) final { body_.transfer(archive); }
+
+ protected:
+  /// @throws Error like `CameraBody`.
+  CameraOf(const SensorContext& context, CameraSurroundings& surroundings, CameraBody::InfoPlace infoPlace)
+      : SensorOf<Message>(context), body_(context, surroundings, infoPlace) {}
+
+  CameraBody body_;
+};
+
 }  // namespace pongsim

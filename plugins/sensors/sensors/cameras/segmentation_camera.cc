@@ -14,8 +14,7 @@ constexpr const char* kLabelMaps = "labels_maps";
 }  // namespace
 
 SegmentationCamera::SegmentationCamera(const SensorContext& context, CameraSurroundings& surroundings)
-    : SensorOf(context),
-      body_(context, surroundings, CameraBody::InfoPlace::kBelow),
+    : CameraOf(context, surroundings, CameraBody::InfoPlace::kBelow),
       topic_(context.topic),
       labels_(context.advertise(kLabels)) {
   for (ignition::msgs::Image* image : {&message(), &labelImage_}) {

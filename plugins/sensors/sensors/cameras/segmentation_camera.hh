@@ -16,7 +16,7 @@
 namespace pongsim {
 
 /// A camera for labels: a map with a colour for each label or instance, and a map with their numbers.
-class SegmentationCamera final : public SensorOf<ignition::msgs::Image> {
+class SegmentationCamera final : public CameraOf<ignition::msgs::Image> {
  public:
   /// Kind of the readings with the map of numbers.
   static constexpr const char* kLabels = "labels";
@@ -24,13 +24,10 @@ class SegmentationCamera final : public SensorOf<ignition::msgs::Image> {
   /// @throws Error if its settings are not supported, or it has too many pixels.
   SegmentationCamera(const SensorContext& context, CameraSurroundings& surroundings);
 
-  bool isReady() override { return body_.isReady(); }
   void measure() override;
   std::optional<Bulk> bulk() override;
   bool isHeardElsewhere() const override { return body_.isInfoHeard() || labels_.hasSubscribers() || body_.saves(); }
   void publishElsewhere() override;
-  void reset() override { body_.reset(); }
-  void transfer(StateArchive& archive) override { body_.transfer(archive); }
 
  private:
   /// Writes one of the two maps, three bytes for each pixel.
@@ -38,7 +35,6 @@ class SegmentationCamera final : public SensorOf<ignition::msgs::Image> {
   Bulk bulkOf(LabelColor LabelLook::*map) const;
   void save(const std::filesystem::path& folder, std::uint64_t number);
 
-  CameraBody body_;
   const SensorTopic& topic_;
   Publisher labels_;
   ignition::msgs::Image labelImage_;

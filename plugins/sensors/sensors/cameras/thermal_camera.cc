@@ -17,8 +17,7 @@ constexpr double kCoarseResolution = 3;
 }  // namespace
 
 ThermalCamera::ThermalCamera(const SensorContext& context, CameraSurroundings& surroundings)
-    : SensorOf(context),
-      body_(context, surroundings, CameraBody::InfoPlace::kBeside),
+    : CameraOf(context, surroundings, CameraBody::InfoPlace::kBeside),
       topic_(context.topic),
       noise_(context.noises.add(body_.settings().noise, "image")),
       hasEightBits_(body_.settings().format == PixelFormat::kL8),

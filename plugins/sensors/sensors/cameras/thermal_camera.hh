@@ -15,25 +15,21 @@
 namespace pongsim {
 
 /// A camera for temperatures: images of 16 bits (L16), or 8 bits (L8), with the temperature divided by the resolution.
-class ThermalCamera final : public SensorOf<ignition::msgs::Image> {
+class ThermalCamera final : public CameraOf<ignition::msgs::Image> {
  public:
   /// @throws Error if its settings are not supported, or it has too many pixels.
   ThermalCamera(const SensorContext& context, CameraSurroundings& surroundings);
 
-  bool isReady() override { return body_.isReady(); }
   void measure() override;
   std::optional<Bulk> bulk() override;
   bool isHeardElsewhere() const override { return body_.isInfoHeard() || body_.saves(); }
   void publishElsewhere() override;
-  void reset() override { body_.reset(); }
-  void transfer(StateArchive& archive) override { body_.transfer(archive); }
 
  private:
   void write(std::span<std::byte> to) const;
   /// @return The image in grey from its coldest to its hottest pixel; three bytes each.
   std::vector<std::uint8_t> shades() const;
 
-  CameraBody body_;
   const SensorTopic& topic_;
   Noise& noise_;
   bool hasEightBits_;
