@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ros2/node/names.hh"
+#include "ros2/node/parameters.hh"
 #include "ros2/node/service.hh"
 #include "ros2/types/rcl_interfaces.hh"
 #include "ros2/types/std_msgs.hh"
@@ -22,7 +23,6 @@ using GetParameters = rcl_interfaces::srv::GetParameters;
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 // Grace period before the first message: a running node answers within it.
 constexpr std::chrono::seconds kUnremarkable{1};
-constexpr std::string_view kGetParameters = "/get_parameters";
 
 /// Prints each message once, and none in the first second.
 class Remarks {
@@ -46,18 +46,6 @@ bool isPublishedOnceOnly(RosNode& node, const std::string& topic) {
     return endpoint.role == Graph::Role::kWriter && endpoint.contract.topic == topicOnWire(topic) &&
            !endpoint.contract.qos.isTransientLocal;
   });
-}
-
-/// @return The parameter services of all nodes.
-std::set<std::string> parameterServices(RosNode& node) {
-  std::set<std::string> services;
-  for (const Graph::Endpoint& endpoint : node.participant().graph().endpoints()) {
-    const auto service = serviceFromWire(endpoint.contract.topic);
-    if (endpoint.role == Graph::Role::kReader && service && service->ends_with(kGetParameters)) {
-      services.insert(*service);
-    }
-  }
-  return services;
 }
 
 }  // namespace
@@ -95,7 +83,7 @@ std::optional<std::string> descriptionFromParameter(RosNode& node, const std::st
   }
   Remarks remarks(options);
   while (!remarks.isLate()) {
-    std::set<std::string> services = parameterServices(node);
+    std::set<std::string> services = parameterServices(node.participant().graph().endpoints());
     if (!ownerName.empty()) {
       std::erase_if(services, [&](const std::string& each) { return each != ownerName + std::string(kGetParameters); });
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pongsim/commands.hh"
+#include "ros2/node/stamp.hh"
 
 namespace pongsim::ros2 {
 
@@ -27,7 +28,7 @@ void TwistInput::configure(const ControllerSetup& setup, const std::string& topi
     subscription_ = setup.subscribe<geometry_msgs::TwistStamped>(topic, [this](const auto& message) {
       const builtin_interfaces::Time& stamp = message.header.stamp;
       const bool hasStamp = stamp.sec != 0 || stamp.nanosec != 0;
-      receive(message.twist, hasStamp ? std::chrono::seconds(stamp.sec) + Time(stamp.nanosec) : now_());
+      receive(message.twist, hasStamp ? timeOf(stamp) : now_());
     });
   } else {
     subscription_ =

@@ -4,7 +4,9 @@
 #include <set>
 #include <thread>
 
+#include "ros2/node/parameters.hh"
 #include "ros2/node/service.hh"
+#include "ros2/node/stamp.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/nav_msgs.hh"
 #include "ros2/types/rcl_interfaces.hh"
@@ -24,9 +26,8 @@ constexpr std::chrono::seconds kAllNodesTime{5};
 constexpr std::chrono::milliseconds kBetweenSubscriptions{100};
 // A node that spins answers at once.
 constexpr std::chrono::seconds kParameterAnswerTime{1};
-constexpr std::string_view kParameterService = "/get_parameters";
 
-double secondsOf(const builtin_interfaces::Time& time) { return time.sec + 1e-9 * time.nanosec; }
+double secondsOf(const builtin_interfaces::Time& time) { return toSeconds(timeOf(time)); }
 
 bool areZero(const auto& variances) {
   return std::ranges::all_of(variances, [](double each) { return each == 0; });
@@ -148,20 +149,14 @@ void Observer::watch(std::chrono::nanoseconds time) {
 }
 
 Observation Observer::observation() {
-  std::set<std::string> services;
   const std::vector<Graph::Endpoint> endpoints = node_.participant().graph().endpoints();
-  for (const Graph::Endpoint& each : endpoints) {
-    const auto service = serviceFromWire(each.contract.topic);
-    if (each.role == Graph::Role::kReader && service && service->ends_with(kParameterService))
-      services.insert(*service);
-  }
   std::vector<std::string> onWallTime;
-  for (const std::string& service : services) {
+  for (const std::string& service : parameterServices(endpoints)) {
     const auto answer = RosClient<GetParameters>(node_, service).call({{"use_sim_time"}}, kParameterAnswerTime);
     if (!answer || answer->values.size() != 1) continue;
     const rcl_interfaces::ParameterValue& value = answer->values.front();
     if (value.type == rcl_interfaces::ParameterType::kParameterBool && !value.bool_value) {
-      onWallTime.push_back(service.substr(0, service.size() - kParameterService.size()));
+      onWallTime.push_back(service.substr(0, service.size() - kGetParameters.size()));
     }
   }
   const std::lock_guard lock(mutex_);

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ros2/node/names.hh"
+
 namespace pongsim::ros2 {
 
 using Type = rcl_interfaces::ParameterType;
@@ -70,6 +72,17 @@ bool isWithinDepth(std::string_view name, std::uint64_t depth) {
 }
 
 }  // namespace
+
+std::set<std::string> parameterServices(const std::vector<Graph::Endpoint>& endpoints) {
+  std::set<std::string> services;
+  for (const Graph::Endpoint& endpoint : endpoints) {
+    const auto service = serviceFromWire(endpoint.contract.topic);
+    if (endpoint.role == Graph::Role::kReader && service && service->ends_with(kGetParameters)) {
+      services.insert(*service);
+    }
+  }
+  return services;
+}
 
 rcl_interfaces::ParameterValue parameterOf(bool value) {
   rcl_interfaces::ParameterValue parameter;

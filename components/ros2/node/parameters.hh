@@ -5,7 +5,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ros2/node/node.hh"
@@ -13,6 +15,11 @@
 #include "ros2/types/rcl_interfaces.hh"
 
 namespace pongsim::ros2 {
+
+/// What follows a node's name in that of the service by which its parameters are read.
+inline constexpr std::string_view kGetParameters = "/get_parameters";
+/// @return These services of all nodes among the endpoints: "/robot/get_parameters".
+std::set<std::string> parameterServices(const std::vector<Graph::Endpoint>& endpoints);
 
 // Parameter values, with their types.
 rcl_interfaces::ParameterValue parameterOf(bool value);

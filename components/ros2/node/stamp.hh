@@ -13,4 +13,10 @@ inline builtin_interfaces::Time stampOf(Time time) {
   return {static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((time - seconds).count())};
 }
 
+/// @param stamp A builtin_interfaces/Time or Duration.
+template <class Stamp>
+Time timeOf(const Stamp& stamp) {
+  return std::chrono::seconds(stamp.sec) + Time(stamp.nanosec);
+}
+
 }  // namespace pongsim::ros2

@@ -1,20 +1,15 @@
 #include "ros2/controllers/joint_trajectory_controller/trajectory_message.hh"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "pongsim/commands.hh"
+#include "ros2/node/stamp.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
-
-template <class Stamp>
-Time timeOfStamp(const Stamp& stamp) {
-  return std::chrono::seconds(stamp.sec) + Time(stamp.nanosec);
-}
 
 bool isSoundList(const std::vector<double>& list) {
   return std::ranges::all_of(list, [](double value) { return std::abs(value) <= kLargestForce; });
@@ -56,7 +51,7 @@ std::string wrongWith(const trajectory_msgs::JointTrajectory& message, const Tra
   for (std::size_t i = 0; i < message.points.size(); ++i) {
     const std::string why = wrongWithPoint(message.points[i], rules, message.joint_names.size());
     if (!why.empty()) return "point " + std::to_string(i) + " has " + why;
-    if (i > 0 && timeOfStamp(message.points[i].time_from_start) <= timeOfStamp(message.points[i - 1].time_from_start)) {
+    if (i > 0 && timeOf(message.points[i].time_from_start) <= timeOf(message.points[i - 1].time_from_start)) {
       return "the time of point " + std::to_string(i) + " is not after that of the one before";
     }
   }
@@ -66,8 +61,8 @@ std::string wrongWith(const trajectory_msgs::JointTrajectory& message, const Tra
   if (!stops && !rules.allowsVelocityAtEnd) {
     return "it does not end at rest; 'allow_nonzero_velocity_at_trajectory_end' would allow that";
   }
-  const Time start = timeOfStamp(message.header.stamp);
-  if (start != Time::zero() && start + timeOfStamp(last.time_from_start) < now) return "it ends in the past";
+  const Time start = timeOf(message.header.stamp);
+  if (start != Time::zero() && start + timeOf(last.time_from_start) < now) return "it ends in the past";
   return {};
 }
 
@@ -91,10 +86,10 @@ Outcome<Trajectory> readTrajectory(const trajectory_msgs::JointTrajectory& messa
   const std::vector<double> zeros(rules.joints.size(), 0.0);
   std::vector<TrajectoryPoint> points;
   for (const auto& each : message.points) {
-    points.push_back({timeOfStamp(each.time_from_start), sorted(each.positions, held), sorted(each.velocities, zeros),
+    points.push_back({timeOf(each.time_from_start), sorted(each.positions, held), sorted(each.velocities, zeros),
                       sorted(each.accelerations, zeros), sorted(each.effort, zeros)});
   }
-  return {Trajectory(timeOfStamp(message.header.stamp), std::move(points)), {}};
+  return {Trajectory(timeOf(message.header.stamp), std::move(points)), {}};
 }
 
 }  // namespace pongsim::ros2
