@@ -7,6 +7,7 @@
 
 #include "log/store/failure.hh"
 #include "log/system/leave_out.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/scene.hh"
 
@@ -52,13 +53,9 @@ void PlaybackSystem::open(const SystemContext& context) {
 }
 
 void PlaybackSystem::publishRange() {
-  const auto set = [](std::int64_t nanoseconds, ignition::msgs::Time& time) {
-    time.set_sec(nanoseconds / 1'000'000'000);
-    time.set_nsec(static_cast<std::int32_t>(nanoseconds % 1'000'000'000));
-  };
   ignition::msgs::LogPlaybackStatistics statistics;
-  set(replay_->range()->first, *statistics.mutable_start_time());
-  set(replay_->range()->last, *statistics.mutable_end_time());
+  setTime(Time(replay_->range()->first), *statistics.mutable_start_time());
+  setTime(Time(replay_->range()->last), *statistics.mutable_end_time());
   range_.publish(statistics);
 }
 

@@ -11,6 +11,7 @@
 
 #include "log/system/leave_out.hh"
 #include "pongsim/files/resolved_sdf.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/scene.hh"
 
@@ -157,8 +158,7 @@ void RecordSystem::preUpdate(const StepInfo& info) {
 void RecordSystem::publishClock(Time time) {
   if (!clock_->hasSubscribers()) return;
   ignition::msgs::Clock message;
-  message.mutable_sim()->set_sec(time / std::chrono::seconds(1));
-  message.mutable_sim()->set_nsec(static_cast<std::int32_t>((time % std::chrono::seconds(1)).count()));
+  setTime(time, *message.mutable_sim());
   clock_->publish(message);
 }
 

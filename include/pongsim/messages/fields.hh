@@ -33,12 +33,18 @@ void setPose(const Pose& pose, Message& message) {
   setRotation(pose.rotation, *message.mutable_orientation());
 }
 
+/// @param message An ignition.msgs.Time.
+template <class Message>
+void setTime(Time time, Message& message) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
+  message.set_sec(seconds.count());
+  message.set_nsec(static_cast<std::int32_t>((time - seconds).count()));
+}
+
 /// @param header An ignition.msgs.Header.
 template <class Header>
 void setStamp(Time time, Header& header) {
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
-  header.mutable_stamp()->set_sec(seconds.count());
-  header.mutable_stamp()->set_nsec(static_cast<std::int32_t>((time - seconds).count()));
+  setTime(time, *header.mutable_stamp());
 }
 
 /// Sets the value of a key in a header's data, such as "frame_id".
