@@ -7,16 +7,17 @@ import os
 import pathlib
 import signal
 import sys
-from typing import Any, NoReturn, Sequence
+from typing import Any, Sequence
 
 from . import reading
+from .command_line import Parser, say_error
 from .errors import SweepError
 from .execute import world_of
 from .plot import plot
 from .results import CSV, PARQUET, Results
 from .runner import default_folder, run
 
-_DONE, _FAILED, _MISUSED = 0, 1, 2
+_DONE, _FAILED = 0, 1
 #: Maximum number of failed runs listed one by one.
 _TOLD = 10
 _ACTIONS = ("run", "world", "plot")
@@ -33,18 +34,11 @@ Ctrl-C stops it; the same command resumes with the remaining runs. Exit code 1: 
 pongsim sweep run --help lists the options. docs/sweeps.md describes the file."""
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        print(f"{self.prog}: error: {message}", file=sys.stderr)
-        print(f"Run with --help for more: {self.prog} --help", file=sys.stderr)
-        sys.exit(_MISUSED)
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="pongsim sweep", epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
+    parser = Parser(prog="pongsim sweep", epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
                      description="Runs a world over parameters and seeds, and tabulates the results.",
                      usage="pongsim sweep FILE.yaml [OPTION...] | world FILE.yaml RUN | plot FOLDER")
-    actions = parser.add_subparsers(dest="action", required=True, metavar="FILE.yaml", parser_class=_Parser)
+    actions = parser.add_subparsers(dest="action", required=True, metavar="FILE.yaml", parser_class=Parser)
 
     each = actions.add_parser("run", help="run the sweep in FILE.yaml, or what remains of it", epilog=_EXAMPLES,
                               formatter_class=argparse.RawDescriptionHelpFormatter, prog="pongsim sweep",
@@ -87,19 +81,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _DONE
         return _list(options) if options.dry_run else _run(options)
     except SweepError as error:
-        _say_error(error)
+        say_error("sweep", error)
     except BrokenPipeError:
         # the reader has closed the pipe; also prevents the final flush from failing
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     except OSError as error:
-        _say_error(f"{error.filename}: {error.strerror}" if error.filename else error)
+        say_error("sweep", f"{error.filename}: {error.strerror}" if error.filename else error)
     return _FAILED
-
-
-def _say_error(text: object) -> None:
-    words = str(text)
-    # messages with a position in a file start with it, as everywhere
-    print(words if ": error: " in words else f"pongsim sweep: error: {words}", file=sys.stderr)
 
 
 def _world(options: argparse.Namespace) -> int:
@@ -150,7 +138,7 @@ def _report(results: Results) -> int:
         print(f"... and {len(failed) - _TOLD} more", file=sys.stderr)
     written = " and ".join(name for name in (CSV, PARQUET) if (results.folder / name).exists())
     if results.table_error:
-        _say_error(f"the tables can't be written: {results.table_error}; completed runs are in the journal")
+        say_error("sweep", f"the tables can't be written: {results.table_error}; completed runs are in the journal")
         written = "no new tables"
     print(f"{len(results)} runs, {len(results) - len(failed)} done, {len(failed)} failed; {results.folder}: {written}")
     return _FAILED if failed or results.table_error else _DONE

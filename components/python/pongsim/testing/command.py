@@ -11,6 +11,7 @@ import sys
 import time
 from typing import Any, NoReturn, Sequence
 
+from ..sweep.command_line import MISUSED, Parser, say_error
 from ..sweep.errors import SweepError, nearest
 from ..sweep.runner import processors
 from . import places, report
@@ -18,7 +19,7 @@ from .pool import Pool
 from .result import Result, Status
 from .scenario import Case, read
 
-_PASSED, _FAILED, _MISUSED = 0, 1, 2
+_PASSED, _FAILED = 0, 1
 
 _EXAMPLES = """examples:
   pongsim test wall.yaml                     run it, in all its variants
@@ -31,15 +32,13 @@ for editors, its first line can be
   # yaml-language-server: $schema=PATH         with the path that pongsim test --schema prints"""
 
 
-class _Parser(argparse.ArgumentParser):
+class _Parser(Parser):
     def error(self, message: str) -> NoReturn:
         unknown = re.match(r"unrecognized arguments: (--[^\s=]+)", message)
         if unknown is not None:
             known = [option for action in self._actions for option in action.option_strings]
             message = f"there is no option {unknown.group(1)} ({nearest(unknown.group(1), known)})"
-        print(f"{self.prog}: error: {message}", file=sys.stderr)
-        print(f"Run with --help for more: {self.prog} --help", file=sys.stderr)
-        sys.exit(_MISUSED)
+        super().error(message)
 
 
 def _jobs(text: str) -> int:
@@ -90,16 +89,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # the reader has closed the pipe; also prevents the final flush from failing
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     except SweepError as error:
-        _say_error(error)
-        return _MISUSED
+        say_error("test", error)
+        return MISUSED
     except OSError as error:
-        _say_error(f"{error.filename}: {error.strerror}" if error.filename else error)
+        say_error("test", f"{error.filename}: {error.strerror}" if error.filename else error)
     return _FAILED
-
-
-def _say_error(text: object) -> None:
-    words = str(text)
-    print(words if ": error: " in words else f"pongsim test: error: {words}", file=sys.stderr)
 
 
 def _read(options: argparse.Namespace) -> list[Case] | None:
@@ -111,7 +105,7 @@ def _read(options: argparse.Namespace) -> list[Case] | None:
             cases += read(file).cases
         except SweepError as error:
             wrong = True
-            _say_error(error)
+            say_error("test", error)
             if options.github:
                 print(report.annotation(str(error).replace(": error: ", ": ", 1), file, file), flush=True)
     return None if wrong else cases
@@ -121,7 +115,7 @@ def _test(options: argparse.Namespace) -> int:
     begin = time.monotonic()
     cases = _read(options)
     if cases is None:
-        return _MISUSED
+        return MISUSED
     alone = {file: sum(case.file == file for case in cases) == 1 for file in {case.file for case in cases}}
     if options.list:
         print("\n".join(report.title(case, alone[case.file]) for case in cases))
@@ -146,7 +140,7 @@ def _test(options: argparse.Namespace) -> int:
     statuses = {result.status for _, result in runs}
     if Status.FAILED in statuses:
         return _FAILED
-    return _MISUSED if Status.MISTAKE in statuses else _PASSED
+    return MISUSED if Status.MISTAKE in statuses else _PASSED
 
 
 def _run(cases: list[Case], alone: dict[str, bool], options: argparse.Namespace, made: dict[int, Result]) -> bool:
