@@ -169,7 +169,7 @@ void Body::transfer(StateArchive& archive) {
   archive.check(isWithin(transform.getOrigin(), description::kFarthestSaved) && isRotation(transform.getBasis()) &&
                 isWithin(linear, description::kFastestSaved) && isWithin(angular, description::kFastestSaved) &&
                 isWithin(force, description::kStrongestSaved) && isWithin(torque, description::kStrongestSaved));
-  shape_.transfer(archive);
+  shape_.transfer(archive, rigid_);
   Mass mass = mass_;
   if (moves_) {
     archive(mass.mass);

@@ -154,7 +154,7 @@ void Engine::setFeel(world::Slot link, std::size_t collision, const Feel& feel) 
   Body& body = *parts_->bodies[link];
   const LinkShape::Feel wanted{feel.mu, feel.mu2, feel.restitution};
   if (body.shape().feel(collision) == wanted) return;
-  body.shape().setFeel(collision, wanted);
+  body.shape().setFeel(collision, wanted, body.rigid());
   parts_->stepper.collisions().moved(body.rigid());
   parts_->stepper.forgetRest();
 }

@@ -174,7 +174,11 @@ void Stepper::findPairTouches(std::span<const std::uint32_t> pairs, std::size_t 
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     constexpr std::size_t kFar = 8, kNear = 4, kNext = 2;
     if (i + kFar < pairs.size()) prefetchProxies(all[pairs[i + kFar]]);
-    if (i + kNear < pairs.size()) prefetchObjects(all[pairs[i + kNear]]);
+    if (i + kNear < pairs.size()) {
+      prefetchObjects(all[pairs[i + kNear]]);
+      rest_.prefetch(pairEnds_[pairs[i + kNear]].first);
+      rest_.prefetch(pairEnds_[pairs[i + kNear]].second);
+    }
     if (i + kNext < pairs.size()) collisions_.dispatcher().prefetchManifolds(all[pairs[i + kNext]], worker);
     collisions_.dispatcher().findTouches(all[pairs[i]], dispatchInfo_, worker, touches);
   }
@@ -260,6 +264,7 @@ void Stepper::solveIslands(const Neighbourhoods::Members& members, const Touchin
     prepareIsland(members, touching, island, scratch);
   }
   for (const Solved& solved : scratch.solved) {
+    prefetchContacts(members, touching, solved.island + 1);
     scratch.solver.solve(gathered.bodiesOf(solved), gathered.manifoldsOf(solved), gathered.jointsOf(solved), dt_);
   }
   for (const Solved& solved : scratch.solved) finishIsland(members, touching, solved, scratch);
@@ -270,6 +275,16 @@ void Stepper::prefetchIsland(const Neighbourhoods::Members& members, const Touch
   if (island >= touching.islands.count()) return;
   for (const std::uint32_t place : touching.islands.bodies(island)) base::prefetch(*bodies_[members.bodies[place]]);
   for (const std::uint32_t place : touching.islands.joints(island)) base::prefetch(*joints_[members.joints[place]]);
+}
+
+void Stepper::prefetchContacts(const Neighbourhoods::Members& members, const Touching& touching,
+                               std::size_t island) const {
+  if (island >= touching.islands.count()) return;
+  for (const std::uint32_t place : touching.islands.bodies(island)) {
+    const Body& body = *bodies_[members.bodies[place]];
+    body.shape().prefetch();
+    base::prefetch(*static_cast<const btDbvtProxy*>(body.rigid().getBroadphaseProxy())->leaf);
+  }
 }
 
 /// Applies the forces of the step, unless the island rests and so need not be solved.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/arena.hh"
-#include "shared/threads/workers.hh"
 #include "physics/body.hh"
 #include "physics/contacts/collision_configuration.hh"
 #include "physics/contacts/collision_detection.hh"
@@ -20,6 +19,7 @@
 #include "physics/settings.hh"
 #include "physics/solving/island_solver.hh"
 #include "pongsim/state/state_archive.hh"
+#include "shared/threads/workers.hh"
 #include "world/state.hh"
 
 namespace pongsim::physics {
@@ -131,6 +131,7 @@ class Stepper {
   void solveIslands(const Neighbourhoods::Members& members, const Touching& touching, std::size_t first,
                     std::size_t end, std::size_t worker);
   void prefetchIsland(const Neighbourhoods::Members& members, const Touching& touching, std::size_t island) const;
+  void prefetchContacts(const Neighbourhoods::Members& members, const Touching& touching, std::size_t island) const;
   void prepareIsland(const Neighbourhoods::Members& members, const Touching& touching, std::size_t island,
                      Scratch& scratch);
   void finishIsland(const Neighbourhoods::Members& members, const Touching& touching, const Solved& solved,

@@ -27,8 +27,10 @@ namespace {
 
 /// @return The surface of a collision, changed or as in the file.
 const description::Surface& surfaceNow(const btCollisionObject& object, const btCollisionShape& part) {
+  // the shape is far from what contact detection has read
+  if (!LinkShape::hasChangedSurface(object)) return surfaceOf(part);
   const auto* shape = static_cast<const LinkShape*>(object.getUserPointer());
-  return shape == nullptr ? surfaceOf(part) : *shape->part(static_cast<std::size_t>(part.getUserIndex())).surface;
+  return *shape->part(static_cast<std::size_t>(part.getUserIndex())).surface;
 }
 
 bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/prefetch.hh"
+
 class btPersistentManifold;
 
 namespace pongsim::physics {
@@ -26,6 +28,11 @@ class Rest {
   /// Forgets all that is known.
   void forget() { resize(0, count_); }
 
+  /// Prefetches what is known about a body.
+  /// @param tag Its island tag.
+  void prefetch(int tag) const {
+    if (tag >= 0) base::prefetch(records_[static_cast<std::size_t>(tag)]);
+  }
   /// @return Whether the object is where it was when the last step looked for contacts.
   bool isStill(const btCollisionObject& object) const;
   /// To be called if the object's contacts are not those of the step before.

@@ -95,7 +95,7 @@ LinkShape::Feel LinkShape::feel(std::size_t collision) const {
   return {surface.mu, surface.mu2, surface.restitution};
 }
 
-void LinkShape::setFeel(std::size_t collision, const Feel& feel) {
+void LinkShape::setFeel(std::size_t collision, const Feel& feel, btCollisionObject& body) {
   Part& part = collisions_[collision];
   description::Surface surface = *part.surface;
   surface.mu = feel.mu;
@@ -103,9 +103,10 @@ void LinkShape::setFeel(std::size_t collision, const Feel& feel) {
   surface.restitution = feel.restitution;
   part.changed = std::make_shared<const description::Surface>(std::move(surface));
   part.surface = part.changed.get();
+  body.setUserIndex2(kChanged);
 }
 
-void LinkShape::transfer(StateArchive& archive) {
+void LinkShape::transfer(StateArchive& archive, btCollisionObject& body) {
   for (std::size_t i = 0; i < collisions_.size(); ++i) {
     Part& part = collisions_[i];
     bool isChanged = part.changed != nullptr;
@@ -116,7 +117,7 @@ void LinkShape::transfer(StateArchive& archive) {
         archive(*number);
         archive.check(*number >= 0);
       }
-      setFeel(i, now);
+      setFeel(i, now, body);
     }
     archive(part.slip1);
     archive(part.slip2);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/prefetch.hh"
 #include "description/link.hh"
 #include "physics/hulls/hull_store.hh"
 #include "physics/shapes/mesh_shape.hh"
@@ -58,20 +60,30 @@ class LinkShape {
     bool operator==(const Feel&) const = default;
   };
   Feel feel(std::size_t collision) const;
-  void setFeel(std::size_t collision, const Feel& feel);
+  /// @param body Carries the shape.
+  void setFeel(std::size_t collision, const Feel& feel, btCollisionObject& body);
+  /// @return Whether `setFeel` has changed any surface of the body.
+  static bool hasChangedSurface(const btCollisionObject& body) { return body.getUserIndex2() == kChanged; }
   /// @param collision Its number in the link.
   const Part& part(std::size_t collision) const { return collisions_[collision]; }
   Part& part(std::size_t collision) { return collisions_[collision]; }
   std::size_t partCount() const { return collisions_.size(); }
+  /// Prefetches the data of the first collision; most links have one.
+  void prefetch() const {
+    if (!collisions_.empty()) base::prefetch(collisions_.front());
+  }
 
   /// Saves or restores the properties of its collisions that can change at run time.
-  void transfer(StateArchive& archive);
+  /// @param body Carries the shape.
+  void transfer(StateArchive& archive, btCollisionObject& body);
 
   bool empty() const { return parts_.empty(); }
   /// @return The whole shape; an empty shape if there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
 
  private:
+  static constexpr int kChanged = 1;
+
   void assemble(const std::vector<Pose>& poses);
 
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
