@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/errors.hh"
+#include "core/interpreter.hh"
 #include "core/owner.hh"
 #include "core/topics.hh"
 
@@ -89,6 +90,47 @@ Expectation expectationFrom(const py::dict& given) {
   return expectation;
 }
 
+/// @return The topic; raises ValueError.
+LockstepOptions::Topic topicOf(const std::string& text) {
+  Outcome<LockstepOptions::Topic> topic = lockstepTopic(text);
+  if (!topic) throw py::value_error(topic.error);
+  return *std::move(topic.value);
+}
+
+LockstepOptions lockstepFrom(const py::handle& given) {
+  const auto parts = given.cast<py::dict>();
+  LockstepOptions options;
+  for (const py::handle& text : parts["topics"]) options.topics.push_back(topicOf(text.cast<std::string>()));
+  options.heard = parts["start"].cast<std::vector<std::string>>();
+  options.timeout = timeOf(parts["timeout"]);
+  options.goesOnWhenLate = parts["late"].cast<std::string>() == "continue";
+  return options;
+}
+
+/// Calls a function of Python within steps, some times a second.
+class Between {
+ public:
+  Between(Life& life, const py::object& function) : life_(life), function_(function) {}
+
+  void call() {
+    const Clock::time_point now = Clock::now();
+    if (function_.is_none() || now < next_) return;
+    next_ = now + std::chrono::milliseconds(50);
+    const interpreter::Held gil;
+    try {
+      function_();
+    } catch (py::error_already_set& error) {
+      life_.noteError(error);
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Life& life_;
+  const py::object& function_;
+  Clock::time_point next_ = Clock::now();
+};
+
 const char* wordOf(Verdict::State state) {
   if (state == Verdict::State::kPending) return "pending";
   return state == Verdict::State::kMet ? "met" : "failed";
@@ -108,10 +150,12 @@ bool waitForOther(Owner& owner, const std::string& topic, bool publisher, double
 
 }  // namespace
 
-std::shared_ptr<PyMonitor> PyMonitor::open(const std::shared_ptr<Life>& life) {
+std::shared_ptr<PyMonitor> PyMonitor::open(const std::shared_ptr<Life>& life, const py::object& lockstep) {
   auto made = std::make_shared<PyMonitor>();
   made->life_ = life;
-  made->monitor_ = std::make_unique<Monitor>(life->edit("a monitor"));
+  Simulation& simulation = life->edit("a monitor");
+  if (!lockstep.is_none()) made->lockstep_ = std::make_unique<LockstepRun>(simulation, lockstepFrom(lockstep));
+  made->monitor_ = std::make_unique<Monitor>(simulation);
   life->hold(made);
   return made;
 }
@@ -129,13 +173,24 @@ std::size_t PyMonitor::add(const py::dict& expectation) {
   return *number.value;
 }
 
-bool PyMonitor::runUntil(double seconds) {
+bool PyMonitor::runUntil(double seconds, const py::object& between) {
   Monitor& monitor = use();
   const auto life = life_.lock();
   const Time end = timeOf(py::float_(seconds));
+  Between inBetween(*life, between);
+  const auto goesOn = [&] {
+    inBetween.call();
+    return !life->mustStop();
+  };
+  Outcome<bool> made{true, {}};
+  const auto step = [&] { made = lockstep_->step(goesOn); };
   bool isDecided = false;
   try {
-    life->stepping([&] { isDecided = monitor.runUntil(end, [&] { return !life->mustStop(); }); });
+    life->stepping([&] {
+      isDecided = lockstep_ ? monitor.runUntil(
+                                  end, [&] { return made && goesOn(); }, step)
+                            : monitor.runUntil(end, goesOn);
+    });
   } catch (const py::error_already_set&) {
     throw;
   } catch (const Gone&) {
@@ -143,6 +198,7 @@ bool PyMonitor::runUntil(double seconds) {
   } catch (const std::runtime_error& error) {
     life->raiseFailure(error.what());
   }
+  if (!made) throw std::runtime_error(made.error);
   return isDecided;
 }
 
@@ -160,13 +216,21 @@ py::tuple PyMonitor::verdict(std::size_t number) {
 void bindMonitor(py::module_& module) {
   py::class_<PyMonitor, std::shared_ptr<PyMonitor>>(module, "Monitor",
                                                     "Judges what is expected of a simulation, for pongsim.testing.")
-      .def(py::init([](const Owner& simulation) { return PyMonitor::open(simulation.life); }), py::arg("simulation"))
+      .def(py::init([](const Owner& simulation, const py::object& lockstep) {
+             return PyMonitor::open(simulation.life, lockstep);
+           }),
+           py::arg("simulation"), py::arg("lockstep") = py::none())
       .def("add", &PyMonitor::add)
-      .def("run_until", &PyMonitor::runUntil)
+      .def("run_until", &PyMonitor::runUntil, py::arg("time"), py::arg("between") = py::none())
       .def("finish", &PyMonitor::finish)
       .def_property_readonly("decided", &PyMonitor::decided)
       .def("verdict", &PyMonitor::verdict);
   module.def("wait_for_other", &waitForOther);
+  module.def("check_lockstep_topic", [](const std::string& text) { topicOf(text); });
+  module.def("topic_name_error", [](const std::string& name) { return topicNameError(name).value_or(""); });
+  module.def("unknown_lockstep_topics", [](const Owner& simulation, const py::dict& lockstep) {
+    return unknownLockstepTopics(lockstepFrom(lockstep), simulation.life->edit("looking").transport().node());
+  });
   module.def("check_message", [](const Owner& simulation, const std::string& topic, py::handle message,
                                  const std::string& type) { checkMessage(*simulation.life, topic, message, type); });
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/added_systems.hh"
 #include "core/errors.hh"
 #include "core/handles.hh"
 #include "core/life.hh"
@@ -38,7 +39,7 @@ bool isText(const std::string& world) { return world.find('<') != std::string::n
 
 std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool loadSystems, bool strict, int threads,
                             bool levels, bool network, std::optional<int> domain, std::optional<std::string> interface,
-                            const std::string& file) {
+                            const std::string& file, const py::object& plugins) {
   if (threads < 1) throw py::value_error("threads must be 1 or more, not " + std::to_string(threads));
   if (!network && (domain || interface)) throw py::value_error("domain and interface need network=True");
   std::unique_ptr<Transport> transport;
@@ -50,6 +51,7 @@ std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool l
   options.threads = threads;
   options.levels = levels;
   options.transport = transport.get();
+  options.systems = elementsFrom(plugins);
   Diagnostics diagnostics;
   std::unique_ptr<Simulation> simulation;
   {
@@ -473,7 +475,7 @@ void bindSimulation(py::module_& module) {
   py::class_<Owner> type(module, "Simulation", py::custom_type_setup(setUpCollection));
   type.def(py::init(&open), py::arg("world"), py::arg("seed"), py::arg("load_systems"), py::arg("strict"),
            py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
-           py::arg("file"));
+           py::arg("file"), py::arg("plugins") = py::tuple());
   bindRun(type);
   bindState(type);
   bindSurroundings(type);

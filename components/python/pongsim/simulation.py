@@ -56,6 +56,7 @@ class Simulation(_core.Simulation):
         domain: int | None = None,
         interface: str | None = None,
         file: str | os.PathLike[str] = "<text>",
+        _plugins: Sequence[Any] = (),
     ) -> None:
         """Loads a world.
 
@@ -76,14 +77,14 @@ class Simulation(_core.Simulation):
         """
         self._options = {
             "load_systems": load_systems, "strict": strict, "threads": threads, "levels": levels, "network": network,
-            "domain": domain, "interface": interface, "file": os.fspath(file),
+            "domain": domain, "interface": interface, "file": os.fspath(file), "_plugins": _plugins,
         }
         self._seed = _seed(seed)
         found = find(world)
         #: The world's text, or its file from any folder.
         self._source = found if "<" in found else os.path.abspath(found)
         super().__init__(
-            found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file),
+            found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file), _plugins,
         )
         self._systems: list[System] = []
         #: Stiffness and damping of the joints that an environment moves to positions, by their names.

@@ -5,6 +5,7 @@ from scenarios import HEAD, LANDS, WORLD, command, run, write
 
 BALL = "  - {pose: ball, always: {z: {below: 3}}}\n"
 EXPECT = HEAD + "expect:\n"
+LOCKSTEP = "programs: [{{command: sleep 60}}]\nlockstep: {{topics: ['{}']}}\n"
 
 IN_THE_FILE = {
     "empty": ("", r"s.yaml:1:1: error: the file is empty"),
@@ -37,6 +38,16 @@ IN_THE_FILE = {
     "a request": (LANDS + "request: [{service: /x, message: {}}]\n", "a request has no 'type' (for example type: EntityFactory)"),
     "a system": (LANDS + "systems: [{filename: x}]\n", "a system has no 'name'"),
     "xml": (LANDS + "systems: [{filename: x, name: y, xml: <a>}]\n", "s.yaml:6:39: error: 'xml' is not the inside of a <plugin>: mismatched tag"),
+    "a fault": (LANDS + "faults: [{type: dorp, topic: /a}]\n", "s.yaml:6:17: error: there is no fault 'dorp' (did you mean 'drop'?)"),
+    "a fault without a type": (LANDS + "faults: [{topic: /a}]\n", "s.yaml:6:10: error: a fault has no 'type' (types are drop, "),
+    "a word of a fault": (LANDS + "faults: [{type: drop, topic: /a, probabilty: 1}]\n",
+                          "a fault of type 'drop' has no 'probabilty' (did you mean 'probability'?)"),
+    "a fault of nothing": (LANDS + "faults: [{type: drop}]\n", "s.yaml:6:10: error: a fault of type 'drop' has no 'topic'"),
+    "a lockstep without programs": (LANDS + "lockstep: {topics: [/a]}\n", "s.yaml:6:1: error: 'lockstep' waits for messages of programs"),
+    "a lockstep without topics": (LANDS + "lockstep: {topic: /a}\n", "lockstep has no 'topic' (did you mean 'topics'?)"),
+    "a lockstep of no steps": (LANDS + LOCKSTEP.format("/a:0"), "s.yaml:7:21: error: '/a:0' has '0' where a whole number from 1 belongs (a topic"),
+    "a start": (LANDS + LOCKSTEP.format("/a'], start: ['/b c"), "error: '/b c' has a space"),
+    "late": (LANDS + LOCKSTEP.format("/a'], late: ['x").replace("['x']", "contnue"), "'late' is end or continue, not 'contnue' (did you mean 'continue'?)"),
     "keep": (LANDS + "keep: [recordings]\n", "there is no 'recordings' to keep (did you mean 'recording'?)"),
     "a recording": (EXPECT + "  - {topic: /a, always: {z: {recorded: old.mcap, tolerance: 1}}}\n", "there is no file old.mcap"),
     "too many": (LANDS + "seeds: 20000\n", "these are 20000 runs, more than 10000 (pongsim sweep makes that many)"),
@@ -60,6 +71,10 @@ IN_THE_WORLD = {
     "a topic to publish on": (BALL + "publish: [{topic: /model/ball/odometri, message: {}, at: 1}]\n",
                               "s.yaml:5:11: error: the world has no topic /model/ball/odometri (did you mean '/model/ball/odometry'?"),
     "a message": (BALL + "publish: [{topic: /a, type: Twist, message: {liner: {x: 1}}, at: 1}]\n", "no field 'liner'"),
+    "a value of a fault": (BALL + "faults: [{type: drop, topic: /model/ball/odometry, probability: 2}]\n",
+                           "s.yaml:5:65: error: 'probability' of a fault must be a number from 0 to 1, not '2'"),
+    "a joint with a fault": (BALL + "faults: [{type: stick, joint: ball::hinge}]\n",
+                             "s.yaml:5:31: error: there is no joint 'ball::hinge'"),
     "a type": (BALL + "publish: [{topic: /a, type: Twst, message: {}, at: 1}]\n", "Twist"),
 }
 

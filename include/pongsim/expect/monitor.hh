@@ -29,10 +29,15 @@ class PONGSIM_API Monitor {
   /// @throws What a step throws.
   template <class GoesOn>
   bool runUntil(Time end, GoesOn goesOn) {
+    return runUntil(end, goesOn, [this] { simulation_->step(); });
+  }
+  /// The same with a function that makes a step.
+  template <class GoesOn, class Step>
+  bool runUntil(Time end, GoesOn goesOn, Step step) {
     const std::size_t before = decided();
     begin();
     while (decided() == before && simulation_->time() < end && goesOn()) {
-      simulation_->step();
+      step();
       look();
     }
     return decided() != before;

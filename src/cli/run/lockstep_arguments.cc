@@ -2,12 +2,9 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cstdint>
 #include <vector>
 
-#include "base/nearest_word.hh"
 #include "cli/options/number_option.hh"
 #include "pongsim/node.hh"
 #include "shared/program/failure.hh"
@@ -16,8 +13,6 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr const char* kOption = "--lockstep";
-
 std::string checkedTopic(const char* option, std::string_view name) {
   if (const auto error = topicNameError(name)) {
     throw UsageError("option '" + std::string(option) + "' names a topic, and '" + std::string(name) + "' " + *error);
@@ -25,53 +20,18 @@ std::string checkedTopic(const char* option, std::string_view name) {
   return std::string(name);
 }
 
-/// Takes ":N" off the end of `text`, if it ends so.
-std::optional<std::uint64_t> takeNumber(std::string_view& text) {
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
-  const std::string_view digits = text.substr(colon + 1);
-  if (digits.empty() || !std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; })) return std::nullopt;
-  text = text.substr(0, colon);
-  return wholeNumber(kOption, digits, 1);
-}
-
-/// Adds a sentence if no topic of the world has that name in that role.
-void addUnknown(const std::string& topic, const std::vector<OwnTopic>& own, int OwnTopic::*users,
-                const std::string& what, std::vector<std::string>& sentences) {
-  const std::string name = topic.starts_with('/') ? topic : "/" + topic;
-  std::vector<std::string_view> names;
-  for (const OwnTopic& each : own) {
-    // the lockstep's own subscriptions are to any type
-    if (each.*users > 0 && each.type != "*") names.push_back(each.name);
-  }
-  if (std::ranges::find(names, name) != names.end()) return;
-  const std::string hint = base::didYouMean(name, names);
-  sentences.push_back("no system of the world " + what + " '" + name + "'" + (hint.empty() ? "" : ": " + hint));
-}
-
 }  // namespace
-
-sim::LockstepOptions::Topic lockstepTopic(std::string_view text) {
-  std::string_view name = text;
-  const std::optional<std::uint64_t> last = takeNumber(name);
-  const std::optional<std::uint64_t> before = last ? takeNumber(name) : std::nullopt;
-  sim::LockstepOptions::Topic topic;
-  topic.name = checkedTopic(kOption, name);
-  topic.every = before ? *before : last.value_or(1);
-  topic.count = before ? *last : 1;
-  if (topic.count > sim::Lockstep::kMostAhead) {
-    throw UsageError("option '--lockstep' takes at most " + std::to_string(sim::Lockstep::kMostAhead) +
-                     " messages at once, not " + std::to_string(topic.count));
-  }
-  return topic;
-}
 
 void LockstepArguments::addTo(CLI::App& run) {
   constexpr const char* kGroup = "Lockstep";
   run.add_option_function<std::vector<std::string>>(
-         kOption,
+         "--lockstep",
          [this](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) options_.topics.push_back(lockstepTopic(text));
+           for (const std::string& text : texts) {
+             Outcome<LockstepOptions::Topic> topic = lockstepTopic(text);
+             if (!topic) throw UsageError("option '--lockstep': " + topic.error);
+             options_.topics.push_back(*std::move(topic.value));
+           }
          },
          "After each EVERY steps (1), wait for COUNT messages (1) of a controller on TOPIC;\n"
          "the option can be repeated")
@@ -118,24 +78,12 @@ void LockstepArguments::addTo(CLI::App& run) {
       ->group(kGroup);
 }
 
-std::optional<sim::LockstepOptions> LockstepArguments::check() const {
+std::optional<LockstepOptions> LockstepArguments::check() const {
   if (!options_.topics.empty()) return options_;
   if (!dependent_.empty()) {
     throw UsageError("option '" + dependent_ + "' needs '--lockstep'", "pongsim run WORLD --lockstep /cmd_vel");
   }
   return std::nullopt;
-}
-
-std::vector<std::string> unknownTopics(const sim::LockstepOptions& options, const Node& node) {
-  const std::vector<OwnTopic> own = node.ownTopics();
-  std::vector<std::string> sentences;
-  for (const auto& topic : options.topics) {
-    addUnknown(topic.name, own, &OwnTopic::subscriptions, "subscribes to", sentences);
-  }
-  for (const std::string& name : options.heard) {
-    addUnknown(name, own, &OwnTopic::publishers, "publishes on", sentences);
-  }
-  return sentences;
 }
 
 }  // namespace pongsim::cli

@@ -7,14 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/node.hh"
 #include "shared/program/failure.hh"
 
 namespace pongsim::cli {
 namespace {
 
 /// @param words Behind each other, the last first, as CLI11 takes them.
-std::optional<sim::LockstepOptions> optionsOf(std::vector<std::string> words) {
+std::optional<LockstepOptions> optionsOf(std::vector<std::string> words) {
   CLI::App app;
   LockstepArguments arguments;
   arguments.addTo(app);
@@ -31,23 +30,9 @@ std::string faultOf(std::vector<std::string> words) {
   return "";
 }
 
-TEST(LockstepArguments, NameATopicAndHowOften) {
-  const auto is = [](const char* text, const char* name, std::uint64_t every, std::uint64_t count) {
-    const sim::LockstepOptions::Topic topic = lockstepTopic(text);
-    EXPECT_EQ(topic.name, name) << text;
-    EXPECT_EQ(topic.every, every) << text;
-    EXPECT_EQ(topic.count, count) << text;
-  };
-  is("/cmd_vel", "/cmd_vel", 1, 1);
-  is("/cmd_vel:100", "/cmd_vel", 100, 1);
-  is("/cmd_vel:100:3", "/cmd_vel", 100, 3);
-  is("/model/a::b/cmd", "/model/a::b/cmd", 1, 1);
-  is("/a:b:7", "/a:b", 7, 1);
-}
-
 TEST(LockstepArguments, RefuseWhatIsNoTopicOrNumber) {
   EXPECT_NE(faultOf({"/cmd vel", "--lockstep"}).find("'/cmd vel' has a space"), std::string::npos);
-  EXPECT_NE(faultOf({"/cmd:0", "--lockstep"}).find("a whole number from 1"), std::string::npos);
+  EXPECT_NE(faultOf({"/cmd:0", "--lockstep"}).find("where a whole number from 1 belongs"), std::string::npos);
   EXPECT_NE(faultOf({"/cmd:1:501", "--lockstep"}).find("at most 500 messages"), std::string::npos);
   EXPECT_NE(faultOf({"", "--lockstep"}), "");
   EXPECT_NE(faultOf({"soon", "--lockstep-timeout", "/a", "--lockstep"}).find("a number of seconds"), std::string::npos);
@@ -79,19 +64,6 @@ TEST(LockstepArguments, BelongTogether) {
   EXPECT_EQ(options->heard, std::vector<std::string>{"/lidar"});
   EXPECT_EQ(options->timeout, std::chrono::milliseconds(500));
   EXPECT_TRUE(options->goesOnWhenLate);
-}
-
-TEST(LockstepArguments, KnowTheNearestTopicOfTheWorld) {
-  Transport transport({.network = false, .domain = {}});
-  const Subscription taken = transport.node().subscribe("/cmd_vel", "Twist", [](const Message&) {});
-  const Publisher published = transport.node().advertise("/lidar", "LaserScan");
-  sim::LockstepOptions options{.topics = {{"cmd_vel"}}, .heard = {"/lidar"}};
-  EXPECT_TRUE(unknownTopics(options, transport.node()).empty());
-  options = {.topics = {{"/cmd_vle"}, {"/sync"}}, .heard = {"/lidra"}};
-  EXPECT_EQ(unknownTopics(options, transport.node()),
-            (std::vector<std::string>{"no system of the world subscribes to '/cmd_vle': did you mean '/cmd_vel'?",
-                                      "no system of the world subscribes to '/sync'",
-                                      "no system of the world publishes on '/lidra': did you mean '/lidar'?"}));
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ bool addLockstep(const Worlds& worlds, const RunCommandOptions& options, sim::Ru
 /// Warns about topics of the lockstep that the world does not have.
 void warnOfUnknownTopics(const Worlds& worlds, const RunCommandOptions& options, const sim::RunOptions& run) {
   if (!run.lockstep || options.verbosity < LogLevel::kWarning) return;
-  for (const std::string& sentence : unknownTopics(*run.lockstep, worlds.front()->transport().node())) {
+  for (const std::string& sentence : unknownLockstepTopics(*run.lockstep, worlds.front()->transport().node())) {
     say("warning: " + sentence);
   }
 }

@@ -8,32 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/lockstep_run.hh"
 #include "pongsim/log.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/simulation.hh"
 #include "transport/gate.hh"
 
 namespace pongsim::sim {
-
-struct LockstepOptions {
-  /// A topic of a controller.
-  struct Topic {
-    std::string name;
-    /// After each so many steps, the world waits for the topic.
-    std::uint64_t every = 1;
-    /// So many messages.
-    std::uint64_t count = 1;
-  };
-  /// At least one.
-  std::vector<Topic> topics;
-  /// Before the first step, the world waits until somebody outside subscribes to each of these; empty: to any topic,
-  /// or until a message waits on each of `topics`.
-  std::vector<std::string> heard;
-  /// Longest wait, of wall time.
-  std::optional<std::chrono::nanoseconds> timeout = std::nullopt;
-  /// Whether the run goes on after that, instead of ending.
-  bool goesOnWhenLate = false;
-};
 
 /// Lets a simulation wait for its controllers: before the first step until they are there, and after each `every` steps
 /// for their messages. `transport::Gate` says what is taken in when.

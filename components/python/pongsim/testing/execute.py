@@ -51,7 +51,11 @@ def execute(case: Case, noted: Noted = lambda group, begins: None, recorder: str
     except (ProgramError, SweepError) as error:
         result.reason = str(error)
     except LoadError as error:
-        result.reason = "the world can't be loaded: " + "; ".join(str(each) for each in error.diagnostics if each.is_error)
+        errors = [each for each in error.diagnostics if each.is_error]
+        if all(each.file == case.file for each in errors):
+            result.status, result.reason = Status.MISTAKE, "; ".join(map(str, errors))
+        else:
+            result.reason = "the world can't be loaded: " + "; ".join(map(str, errors))
     except SystemFailed as error:
         result.reason = str(error)
     except (OSError, ValueError, RuntimeError) as error:
@@ -115,17 +119,20 @@ class _Attempt:
             warnings.simplefilter("always", WorldWarning)
             network = bool(case.programs)
             sim = Simulation(world, file=case.world, seed=case.run.seed, strict=True, network=network,
-                             domain=number if network else None)
+                             domain=number if network else None, _plugins=case.faults.plugins)
         self.result.warnings = [str(each.message) for each in caught if issubclass(each.category, WorldWarning)]
         with sim:
             yield sim
 
     def _run(self, sim: Simulation) -> None:
-        monitor = _core.Monitor(sim)
+        # first, since it holds what comes from programs
+        monitor = _core.Monitor(sim, self.case.lockstep)
         numbers = self._add(sim, monitor)
         for each in self.beside:
             each.wait_until_ready(lambda topic, publisher: _core.wait_for_other(sim, topic, publisher, 0.0), sim.dispatch)
         self._steps(sim, monitor, numbers)
+        if unused := self.case.faults.unused(name for name, type_ in sim.topics.items() if type_ != "*"):
+            raise Mistake(unused)
         # before the messages of the last step are delivered, whose receivers may change something
         self.result.state_hash = f"{sim.state_hash():016x}"
         monitor.finish()
@@ -177,14 +184,27 @@ class _Attempt:
             next_time = min(self.end, self.due[0][0] if self.due else self.end)
             if self.case.programs or self.case.speed > 0:
                 next_time = min(next_time, sim.time + _PART)
-            if monitor.run_until(next_time):
+            if self._run_until(sim, monitor, next_time):
                 self._note_events(sim, monitor)
                 if all(monitor.verdict(number)[0] != "pending" for number in numbers):
                     break
-            for each in self.beside:
-                each.check()
+            self._check_programs()
             if self.case.speed > 0:
                 time.sleep(max(0.0, begin + sim.time / self.case.speed - time.monotonic()))
+
+    def _run_until(self, sim: Simulation, monitor: _core.Monitor, next_time: float) -> bool:
+        lockstep = self.case.lockstep
+        if lockstep is None:
+            return monitor.run_until(next_time)
+        try:
+            return monitor.run_until(next_time, self._check_programs)
+        except RuntimeError as error:
+            # somebody is late; a topic that the world does not have may be why
+            raise ProgramError("; ".join([str(error), *_core.unknown_lockstep_topics(sim, lockstep)])) from None
+
+    def _check_programs(self) -> None:
+        for each in self.beside:
+            each.check()
 
     def _publish(self, sim: Simulation) -> None:
         # half a nanosecond: times are whole nanoseconds

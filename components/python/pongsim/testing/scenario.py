@@ -16,18 +16,20 @@ from ..sweep.errors import SweepError, nearest
 from ..sweep.matrix import MatrixReader
 from ..sweep.plan import Run, Target
 from .conditions import read_fields
+from .faults import Faults, read_faults
+from .lockstep import read_lockstep
 
 #: What the monitor judges: see `core/monitor.cc`.
 Spec = dict[str, Any]
 
-KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "systems", "publish", "request", "programs",
-        "speed", "expect", "limits", "keep")
+KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube", "seeds", "systems", "faults", "publish", "request",
+        "programs", "lockstep", "speed", "expect", "limits", "keep")
 MODES = ("eventually", "always", "never", "in_order")
 SIGNALS = ("topic", "pose", "velocity", "joint", "contact")
 WINDOW = ("within", "during", "at", "for", "after", "until")
 KEEP = ("recording", "picture", "log")
 #: Where parameters can be used as $NAME.
-_FILLED = ("systems", "publish", "request", "programs", "expect")
+_FILLED = ("systems", "faults", "publish", "request", "programs", "lockstep", "expect")
 #: Limit of wall time, in addition to what its speed asks for [s].
 _WALL = 300.0
 #: A larger matrix is a sweep.
@@ -107,6 +109,9 @@ class Case:
     systems: tuple[str, ...]
     publications: tuple[Publication, ...]
     programs: tuple[Program, ...]
+    faults: Faults
+    #: What the monitor waits for: see `core/monitor.hh`.
+    lockstep: Spec | None
     expected: tuple[Expected, ...]
     keep: tuple[str, ...]
 
@@ -185,8 +190,10 @@ class _Reader(MatrixReader):
         limits = parts["limits"].mapping("limits", ["wall"]) if "limits" in parts else {}
         programs = _programs(parts.get("programs"), self.folder)
         duration = float(parts["duration"].number("duration", above=0))
-        # a controller is made for a robot in real time
-        speed = float(parts["speed"].number("speed", least=0)) if "speed" in parts else (1.0 if programs else 0.0)
+        lockstep = read_lockstep(parts["lockstep"], bool(programs)) if "lockstep" in parts else None
+        # a controller is made for a robot in real time, unless the world waits for it
+        usual = 1.0 if programs and lockstep is None else 0.0
+        speed = float(parts["speed"].number("speed", least=0)) if "speed" in parts else usual
         wall = _WALL + (duration / speed if speed > 0 else 0.0)
         return Case(
             file=self.file, name=name or self.file, run=run, world=world,
@@ -195,7 +202,7 @@ class _Reader(MatrixReader):
             speed=speed,
             systems=tuple(_system(each) for each in parts["systems"].list("systems")) if "systems" in parts else (),
             publications=(*_publications(parts.get("publish"), self.folder), *_requests(parts.get("request"), self.folder)),
-            programs=programs,
+            programs=programs, faults=read_faults(parts.get("faults")), lockstep=lockstep,
             expected=tuple(read_expectation(each, self.folder) for each in parts["expect"].list("expect")),
             keep=_keep(parts.get("keep")))
 
