@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""The real ROS 2 for tests: virtual environments with rclpy and its middleware from PyPI, and with interfaces built for it.
+"""The real ROS 2 for tests: virtual environments with rclpy and its middleware from PyPI, with interfaces built for it, and with
+ROS's command line and tf2 from their repositories.
 
     environment.py make DISTRO FOLDER      makes it, once per user, and links it to FOLDER
     environment.py run DISTRO FOLDER ARG...   runs its Python; returns 77 (skipped) where PyPI could not be reached
+
+Where the repositories can't be reached, FOLDER/no_tools says why. Git's own `url.BASE.insteadOf` gives other places for them.
 """
 
 import fcntl
@@ -14,10 +17,12 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "pongsim-tests"
 SKIPPED = 77
+NO_GIT = re.compile("unable to access|Could not resolve|does not appear to be a git repository")
 UNREACHABLE = re.compile("NewConnectionError|ConnectTimeoutError|ReadTimeoutError|ProxyError|NameResolutionError")
 
 
@@ -29,9 +34,19 @@ def requirements(distro):
     return HERE / distro / "requirements.txt"
 
 
+def sources(distro):
+    """Packages that are not on PyPI: a line for each repository, with its commit and the packages' folders."""
+    return HERE / distro / "sources.txt"
+
+
+def interfaces(distro):
+    """Those of all, then those that differ in this one."""
+    return [each for each in (HERE / "interfaces.txt", HERE / distro / "interfaces.txt") if each.exists()]
+
+
 def place(distro):
     """The environment's folder: another one for other packages, interfaces or another Python."""
-    inputs = [requirements(distro), HERE / "interfaces.txt", pathlib.Path(__file__)]
+    inputs = [requirements(distro), sources(distro), *interfaces(distro), pathlib.Path(__file__)]
     key = hashlib.sha256(b"".join(each.read_bytes() for each in inputs) + sys.version.encode()).hexdigest()
     return CACHE / f"ros2-{distro}-{key[:16]}"
 
@@ -63,13 +78,14 @@ def move(venv):
             file.write_text(moved)
 
 
-def packages():
-    """The interfaces of interfaces.txt: for each package the text of each file."""
+def packages(distro):
+    """The interfaces: for each package the text of each file."""
     found = {}
-    for block in (HERE / "interfaces.txt").read_text().split("=== ")[1:]:
-        name, _, text = block.partition("\n")
-        package, kind, interface = name.split("/")
-        found.setdefault(package, {})[f"{kind}/{interface}.{kind}"] = text
+    for file in interfaces(distro):
+        for block in file.read_text().split("=== ")[1:]:
+            name, _, text = block.partition("\n")
+            package, kind, interface = name.split("/")
+            found.setdefault(package, {})[f"{kind}/{interface}.{kind}"] = text
     return found
 
 
@@ -89,15 +105,56 @@ def build(name, files, venv, folder):
         f"cmake_minimum_required(VERSION 3.20)\nproject({name} C CXX)\nset(CMAKE_CXX_STANDARD 17)\n"
         + "".join(f"find_package({each} REQUIRED)\n" for each in ["ament_cmake", "rosidl_default_generators", *needs])
         + f"rosidl_generate_interfaces({name} {' '.join(sorted(files))} DEPENDENCIES {' '.join(needs)})\nament_package()\n")
+    compile_and_install(folder, venv)
+
+
+def compile_and_install(folder, venv):
     environment = {**os.environ, "CMAKE_PREFIX_PATH": str(venv), "AMENT_PREFIX_PATH": str(venv),
                    "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "PATH": f"{venv}/bin:{os.environ['PATH']}"}
     for command in (["cmake", "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_INSTALL_PREFIX={venv}",
                      f"-DPython3_EXECUTABLE={venv}/bin/python", "-DBUILD_TESTING=OFF", "-DCMAKE_CXX_FLAGS=-O0 -w",
-                     "-DCMAKE_C_FLAGS=-O0 -w"],
+                     "-DCMAKE_C_FLAGS=-O0 -w", f"-DCMAKE_INSTALL_RPATH={venv}/lib"],
                     ["ninja", "-C", folder / "build", "install"]):
         result = subprocess.run(command, env=environment, capture_output=True, text=True)
         if result.returncode != 0:
-            raise RuntimeError(f"can't build {name}: {(result.stdout + result.stderr)[-3000:]}")
+            raise RuntimeError(f"can't build {folder.name}: {(result.stdout + result.stderr)[-3000:]}")
+
+
+def run(*command):
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode != 0:
+        reason = result.stderr.strip()[-2000:]
+        raise (Unreachable if NO_GIT.search(reason) else RuntimeError)(reason)
+
+
+def install_tools(distro, venv):
+    """Installs what is in `sources`, once it can be had."""
+    done, why_not = venv / "tools_complete", venv / "no_tools"
+    if done.exists():
+        return
+    with tempfile.TemporaryDirectory() as place:
+        try:
+            for number, line in enumerate(sources(distro).read_text().splitlines()):
+                address, commit, *folders = line.split()
+                source = pathlib.Path(place) / str(number)
+                run("git", "init", "--quiet", source)
+                run("git", "-C", source, "fetch", "--quiet", "--depth", "1", address, commit)
+                run("git", "-C", source, "checkout", "--quiet", "FETCH_HEAD")
+                for each in folders:
+                    if (source / each / "setup.py").exists():
+                        run(venv / "bin/pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps",
+                            "--no-build-isolation", source / each)
+                    elif (source / each / "CMakeLists.txt").exists():
+                        compile_and_install(source / each, venv)
+                    else:
+                        # a package beside C++ code, which is not needed
+                        packages = venv / f"lib/python{sysconfig.get_python_version()}/site-packages"
+                        shutil.copytree(source / each, packages / pathlib.Path(each).name, dirs_exist_ok=True)
+        except Unreachable as why:
+            why_not.write_text(str(why))
+            return
+    why_not.unlink(missing_ok=True)
+    done.touch()
 
 
 def make(distro, folder):
@@ -111,10 +168,11 @@ def make(distro, folder):
                 shutil.rmtree(old)
             install(distro, venv)
             move(venv)
-            for name, files in packages().items():
+            for name, files in packages(distro).items():
                 build(name, files, venv, venv / "interfaces" / name)
             shutil.rmtree(venv / "interfaces")
             (venv / "complete").touch()
+        install_tools(distro, venv)
     folder.unlink(missing_ok=True)
     folder.symlink_to(venv)
 

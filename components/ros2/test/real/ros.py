@@ -6,12 +6,15 @@ import pathlib
 import sys
 import threading
 
+import pytest
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import simulation  # noqa: E402
 
+NO_TOOLS = pathlib.Path(sys.prefix) / "no_tools"
+needs_tools = pytest.mark.skipif(NO_TOOLS.exists(), reason=NO_TOOLS.read_text() if NO_TOOLS.exists() else "")
 DISTRO = os.environ["ROS_DISTRO_OF_TEST"]
 WORLD = simulation.ROOT / "components/ros2/test/drive.sdf"
 
