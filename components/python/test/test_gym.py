@@ -134,6 +134,40 @@ def episode(env, seed=None, steps=40):
     return np.concatenate(seen)
 
 
+TWO = RAIL.replace("NOISE", "").replace("</link>", """</link><link name="tip"><inertial><mass>1</mass></inertial></link>
+  <joint name="lift" type="prismatic"><parent>body</parent><child>tip</child><axis><xyz>0 0 1</xyz></axis></joint>""", 1)
+
+
+def test_an_action_by_names():
+    def task(action):
+        return rail(TWO, action=action, observation={"rail": gym.Joint("cart::rail"), "lift": gym.Joint("cart::lift")})
+
+    push, hold = gym.JointForce("cart::rail", -4, 4), gym.JointForce("cart::lift", 0, 20)
+    named = task({"push": push, "hold": [hold]})
+    env, plain = gym.Env(named), gym.Env(task([push, hold]))
+    assert env.action_space == spaces.Dict(push=spaces.Box(-4, 4, (1,)), hold=spaces.Box(0, 20, (1,)))
+    env.reset(seed=1), plain.reset(seed=1)
+    assert np.array_equal(env.step({"hold": [9.8], "push": [3.0]})[0], plain.step([3.0, 9.8])[0])
+    assert env.simulation.state_hash() == plain.simulation.state_hash()
+    assert env.moment.action.tolist() == [[3.0, 9.8]]
+    for wrong, said in (
+        ([1, 2], "an action must be a dict with 'push', 'hold', not list"),
+        ({"push": [1]}, "not 'push'"),
+        ({"push": [1], "hold": [1, 2]}, r"an action has at 'hold' the shape \(1,\), not \(2,\)"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            env.step(wrong)
+    check_env(env)
+    envs = gym.VectorEnv(named, 2)
+    envs.reset(seed=1)
+    actions = envs.action_space.sample()
+    assert actions["hold"].shape == (2, 1)
+    envs.step(actions)
+    with pytest.raises(ValueError, match="the actions have at 'push' the shape"):
+        envs.step({"push": [1, 2], "hold": [[1], [2]]})
+    envs.close(), env.close(), plain.close()
+
+
 def test_a_seed_repeats_to_the_bit_in_a_world_of_its_own_too(avoider):
     first = episode(avoider, seed=3)
     assert not np.array_equal(episode(avoider), first)

@@ -40,7 +40,6 @@ class Env(gymnasium.Env[Any, Any]):
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": max(1, round(1 / task.step_time))}
         self.action_space = self._worlds.action_space
         self.observation_space = self._worlds.observation_space
-        self._action_shape = self.action_space.shape
         self._has_begun = False
 
     @property
@@ -84,11 +83,9 @@ class Env(gymnasium.Env[Any, Any]):
             raise error.ResetNeeded(
                 "call reset before the first step, after the end of an episode, and after a step that raised an exception"
             )
-        action = np.asarray(action)
-        if action.shape != self._action_shape:
-            raise ValueError(f"an action has the shape {self._action_shape}, not {action.shape}")
+        numbers = self._worlds.numbers(action)
         self._has_begun = False
-        rewards, terminated, truncated = self._worlds.step(action[None])
+        rewards, terminated, truncated = self._worlds.step(numbers[None])
         self._has_begun = not (terminated.item() or truncated.item())
         return self._worlds.observations.row(0), rewards.item(), terminated.item(), truncated.item(), {}
 

@@ -79,9 +79,11 @@ class Task:
 
     #: An SDF or URDF file, or its text.
     world: str | os.PathLike[str]
-    #: What an action does: steerings, whose numbers are concatenated; or a function of the simulation and the action,
-    #: called between two steps, which requires `action_space`.
-    action: Union[Sequence[Steering], Callable[[Simulation, Any], object]]
+    #: What an action does: steerings, whose numbers are concatenated; or steerings by names, for an action that is a dict of
+    #: arrays; or a function of the simulation and the action, called between two steps, which requires `action_space`.
+    action: Union[
+        Sequence[Steering], Mapping[str, Union[Steering, Sequence[Steering]]], Callable[[Simulation, Any], object]
+    ]
     #: What is observed: readings, whose numbers are concatenated, and images; or a function of the simulation that
     #: returns an array, or a dict of arrays, which requires `observation_space`.
     observation: Union[Mapping[str, Union[Reading, Image]], Callable[[Simulation], Any]]

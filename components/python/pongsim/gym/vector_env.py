@@ -153,9 +153,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, NDArray[Any], NDArray[Any]]):
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
             raise error.ResetNeeded("call reset before the first step, and after a step that raised an exception")
-        batch = np.asarray(actions)
-        if batch.shape != self.action_space.shape:
-            raise ValueError(f"the actions have the shape {self.action_space.shape}, not {batch.shape}")
+        batch = self._worlds.numbers(actions, (self.num_envs,))
         ended = self._done if self._done.any() else None
         if ended is not None and self.autoreset_mode is AutoresetMode.DISABLED:
             raise error.ResetNeeded(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import warnings
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 from gymnasium import spaces
@@ -102,17 +102,46 @@ class Worlds:
             assert task.action_space is not None
             self.action_space = task.action_space
             return
-        limits: list[Limits] = []
-        for steering in task.action:
-            if not isinstance(steering, Steering):
-                raise TypeError(f"an action must be a list of actuators, such as Command(...), not {type(steering).__name__}")
-            for i, simulation in enumerate(self.simulations):
-                each = steering.attach(self._pool, i, simulation)
-            limits += each
-            self.action_sizes.append(len(each))
-        for each_limits in limits:
-            self._pool.limit_action(*each_limits)
-        self.action_space = box(limits)
+        is_dict = isinstance(task.action, Mapping)
+        parts: dict[str, list[Limits]] = {}
+        for name, steerings in task.action.items() if isinstance(task.action, Mapping) else [("", task.action)]:
+            limits = parts[name] = []
+            for steering in [steerings] if isinstance(steerings, Steering) else steerings:
+                if not isinstance(steering, Steering):
+                    raise TypeError(
+                        f"an action must be a list of actuators, such as Command(...), not {type(steering).__name__}"
+                    )
+                for i, simulation in enumerate(self.simulations):
+                    each = steering.attach(self._pool, i, simulation)
+                limits += each
+                self.action_sizes.append(len(each))
+            for each_limits in limits:
+                self._pool.limit_action(*each_limits)
+        spaces_of_parts = {name: box(limits) for name, limits in parts.items()}
+        # a Dict sorts some names, but the numbers stay in the order of the task
+        self._action_names = list(parts)
+        self.action_space = spaces.Dict(spaces_of_parts) if is_dict else spaces_of_parts[""]
+
+    def numbers(self, action: Any, lead: tuple[int, ...] = ()) -> NDArray[Any]:
+        """Returns the numbers of an action, or, with (worlds,) as `lead`, of one for each world. Raises ValueError for another
+        shape."""
+        what = "the actions have" if lead else "an action has"
+        space = self.action_space
+        if not isinstance(space, spaces.Dict):
+            array = np.asarray(action)
+            if array.shape != lead + (space.shape or ()):
+                raise ValueError(f"{what} the shape {lead + (space.shape or ())}, not {array.shape}")
+            return array
+        if not isinstance(action, Mapping) or set(action) != set(space):
+            given = ", ".join(map(repr, action)) if isinstance(action, Mapping) else type(action).__name__
+            raise ValueError(f"an action must be a dict with {', '.join(map(repr, self._action_names))}, not {given}")
+        parts = []
+        for name in self._action_names:
+            array = np.asarray(action[name])
+            if array.shape != lead + (space[name].shape or ()):
+                raise ValueError(f"{what} at '{name}' the shape {lead + (space[name].shape or ())}, not {array.shape}")
+            parts.append(array)
+        return np.concatenate(parts, axis=-1)
 
     def _steps_in(self, seconds: float, what: str) -> int:
         size = self.simulations[0].step_size
