@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .arrays import view
-from .errors import WorldWarning
+from .errors import LoadError, WorldWarning
 from .names import closest
 from .pictures import Eye
 from .sensor import Sensor
@@ -21,7 +21,7 @@ from .state import Layout, layout_of, models_of, numbers
 from .system import System
 from .values import Contacts, Pose, RayHit, RayHits
 from .viewing import View, show
-from .worlds import find
+from .worlds import find, nearest
 
 #: The attributes that can be assigned.
 _SETTABLE = ("gravity", "qpos", "qvel", "step_size")
@@ -80,12 +80,19 @@ class Simulation(_core.Simulation):
             "domain": domain, "interface": interface, "file": os.fspath(file), "_plugins": _plugins,
         }
         self._seed = _seed(seed)
+        threads = _whole(threads, "threads")
+        if domain is not None:
+            domain = _whole(domain, "domain")
         found = find(world)
         #: The world's text, or its file from any folder.
         self._source = found if "<" in found else os.path.abspath(found)
-        super().__init__(
-            found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file), _plugins,
-        )
+        try:
+            super().__init__(
+                found, self._seed, load_systems, strict, threads, levels, network, domain, interface, os.fspath(file), _plugins,
+            )
+        except LoadError as error:
+            error.args = (f"{error}{nearest(found)}",)
+            raise
         self._systems: list[System] = []
         #: Stiffness and damping of the joints that an environment moves to positions, by their names.
         self._gains: dict[str, NDArray[np.float64]] = {}
@@ -161,12 +168,17 @@ class Simulation(_core.Simulation):
     def remove(self, model: _core.Model, *others: _core.Model) -> None:
         """Removes top-level models with their systems and the joints connected to them: all of them or, raising Refused,
         none. Several at once are faster than one by one."""
-        names = [each.name for each in (model, *others) if isinstance(each, _core.Model) and each.exists]
+        for each in (model, *others):
+            if not isinstance(each, _core.Model):
+                raise TypeError(f"only models can be removed, such as sim.model('robot'), not {each!r}")
+        names = [each.name for each in (model, *others) if each.exists]
         super().remove(model, *others)
         self._edits.append(("remove", {"models": names}))
 
     def add(self, system: System) -> None:
         """Adds a system in Python after all others. Raises SystemFailed if its `configure` raises."""
+        if isinstance(system, type):
+            raise TypeError(f"a system must be an object, such as {system.__name__}(), not the class")
         if not isinstance(system, System):
             raise TypeError(f"a system must derive from pongsim.System, but {type(system).__name__} does not")
         if system._simulation is not None:
@@ -178,6 +190,16 @@ class Simulation(_core.Simulation):
             system._simulation = None
             raise
         self._systems.append(system)
+
+    def link(self, name: str) -> _core.Link:
+        """Returns the link with that scoped name: "model::link". Raises KeyError."""
+        model, own = _parts(name, "link")
+        return self.model(model).link(own)
+
+    def joint(self, name: str) -> _core.Joint:
+        """Returns the joint with that scoped name: "model::joint". Raises KeyError."""
+        model, own = _parts(name, "joint")
+        return self.model(model).joint(own)
 
     def sensor(self, name: str, *kinds: str) -> Sensor:
         """Returns the sensor with that name, and switches it on.
@@ -207,7 +229,7 @@ class Simulation(_core.Simulation):
 
     @qpos.setter
     def qpos(self, positions: ArrayLike) -> None:
-        self.set_state(qpos=positions)
+        self.set_state(qpos=_given(positions, "qpos"))
 
     @property
     def qvel(self) -> NDArray[np.float64]:
@@ -220,7 +242,7 @@ class Simulation(_core.Simulation):
 
     @qvel.setter
     def qvel(self, velocities: ArrayLike) -> None:
-        self.set_state(qvel=velocities)
+        self.set_state(qvel=_given(velocities, "qvel"))
 
     def set_state(self, qpos: ArrayLike | None = None, qvel: ArrayLike | None = None) -> None:
         """Sets positions and velocities of everything that moves, between two steps.
@@ -425,9 +447,30 @@ def _put(queue: Any, message: Any) -> None:
     queue.put_nowait(message)
 
 
+def _parts(name: str, kind: str) -> tuple[str, str]:
+    model, _, own = name.rpartition("::")
+    if not model:
+        raise KeyError(f"'{name}' names no model: a {kind} is \"model::{own}\"")
+    return model, own
+
+
+def _given(numbers: ArrayLike, what: str) -> ArrayLike:
+    # None would change nothing, silently
+    if numbers is None:
+        raise TypeError(f"{what} must be an array of numbers, not None")
+    return numbers
+
+
+def _whole(number: Any, what: str) -> int:
+    try:
+        return operator.index(number)
+    except TypeError:
+        raise TypeError(f"{what} must be an integer, not {type(number).__name__}") from None
+
+
 def _seed(seed: Any) -> int:
     """Checks a seed. Raises TypeError and ValueError."""
-    number = operator.index(seed)
+    number = _whole(seed, "a seed")
     if not 0 <= number < 2**64:
         raise ValueError(f"a seed must be 0 to 2**64 - 1, not {number}")
     return number

@@ -79,6 +79,8 @@ def is_in_notebook() -> bool:
 
 def show(simulation: Simulation, port: int, read_only: bool, browser: bool | None) -> View:
     """See `Simulation.view`."""
+    if not isinstance(port, int) or not 0 <= port <= 65535:
+        raise ValueError(f"a port must be 1 to 65535, or 0 for a free one, not {port!r}")
     in_notebook = is_in_notebook()
     view = View(simulation, port, read_only, in_notebook)
     simulation.step_paused()

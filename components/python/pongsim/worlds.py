@@ -44,6 +44,8 @@ def find(world: str | os.PathLike[str]) -> str:
     """Returns the file of a world as `pongsim run` finds it: as it is if it is there, else in the folders of
     PONGSIM_RESOURCE_PATH, else among the worlds of pongsim. A text, which contains a "<", and what is not found are returned
     as they are."""
+    if not isinstance(world, (str, os.PathLike)):
+        raise TypeError(f"a world must be a file or a text, not {type(world).__name__}")
     text = os.fspath(world)
     if "<" in text or not text or os.path.isabs(text) or os.path.exists(text):
         return text
@@ -52,3 +54,12 @@ def find(world: str | os.PathLike[str]) -> str:
     if own:
         folders.append(str(own))
     return next((found for each in folders if os.path.isfile(found := os.path.join(each, text))), text)
+
+
+def nearest(world: str) -> str:
+    """Returns "; did you mean 'x'?" for a name that is no file and like that of a world of pongsim; otherwise nothing."""
+    if "<" in world or os.path.dirname(world) or os.path.exists(world):
+        return ""
+    from .names import closest
+
+    return closest(world, names())

@@ -121,3 +121,29 @@ def test_a_command_to_what_is_static(ball):
                  lambda: ground.link("link").add_wrench((1, 0, 0))):
         with pytest.raises(pongsim.Refused, match="'ground.* is static"):
             call()
+
+
+@pytest.mark.parametrize("call, kind, said", [
+    ("pongsim.Simulation(b'<sdf/>')", TypeError, "a world must be a file or a text, not bytes"),
+    ("pongsim.Simulation(5)", TypeError, "a world must be a file or a text, not int"),
+    ("pongsim.Simulation('pong_word.sdf')", pongsim.LoadError, "no such file; did you mean 'pong_world.sdf'"),
+    ("pongsim.Simulation(BALL, threads='2')", TypeError, "threads must be an integer, not str"),
+    ("pongsim.Simulation(BALL, seed=1.5)", TypeError, "a seed must be an integer, not float"),
+    ("pongsim.Simulation(BALL, systems=[pongsim.System])", TypeError, r"an object, such as System\(\), not the class"),
+    ("ball.remove('ball')", TypeError, r"only models can be removed, such as sim.model\('robot'\), not 'ball'"),
+    ("ball.link('link')", KeyError, "names no model: a link is"),
+    ("setattr(ball, 'qpos', None)", TypeError, "qpos must be an array of numbers, not None"),
+    ("setattr(ball, 'qvel', None)", TypeError, "qvel must be an array of numbers, not None"),
+    ("ball.set_joint_states([[1, 2]], ['hinge'])", KeyError, "no joint axis 'hinge'; did you mean 'arm::hinge'"),
+    ("ball.view(port=-1)", ValueError, "a port must be 1 to 65535, or 0 for a free one, not -1"),
+])
+def test_a_mistake_in_a_shell(ball, call, kind, said, capfd):
+    before = ball.save()
+    with pytest.raises(kind, match=said):
+        eval(call, {"pongsim": pongsim, "ball": ball, "BALL": BALL})
+    assert ball.save() == before and capfd.readouterr().err == ""
+
+
+def test_links_and_joints_by_their_scoped_names(ball):
+    assert ball.link("ball::link") == ball.model("ball").link("link")
+    assert ball.joint("arm::hinge") == ball.model("arm").joint("hinge")
