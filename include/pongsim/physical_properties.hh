@@ -36,8 +36,8 @@ class PONGSIM_API PhysicalProperties {
   /// Changes the friction [N m or N] of a joint's axis; `Joint::friction` tells it.
   Outcome<void> setFriction(const Joint& joint, double friction, int axis = 0);
 
-  /// Changes the colour in which cameras see a visual, until a reset; its textures are tinted with it. Colours are no
-  /// part of saved states, because nothing moves by them, and the scene message keeps those of the file.
+  /// Changes the colour in which cameras, the scene and the state message show a visual, until a reset; its textures
+  /// are tinted with it. Colours are no part of saved states, because nothing moves by them.
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
   Outcome<void> setColor(VisualId visual, const Vector3& color);
 

@@ -2,9 +2,12 @@
 
 #include <ignition/msgs/entity.pb.h>
 #include <ignition/msgs/entity_factory_v.pb.h>
+#include <ignition/msgs/joint.pb.h>
+#include <ignition/msgs/link.pb.h>
 #include <ignition/msgs/physics.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 #include <ignition/msgs/spherical_coordinates.pb.h>
+#include <ignition/msgs/visual.pb.h>
 #include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <numbers>
@@ -85,6 +88,31 @@ PhysicsSettings physicsSettings(const Message& message) {
 WheelSlip wheelSlip(const Message& message) {
   const auto& asked = static_cast<const im::WheelSlipParametersCmd&>(message);
   return {nameFrom(asked.entity()), asked.slip_compliance_lateral(), asked.slip_compliance_longitudinal()};
+}
+
+VisualLook visualLook(const Message& message) {
+  const auto& asked = static_cast<const im::Visual&>(message);
+  VisualLook look{asked.id(), asked.name(), asked.parent_name(), asked.parent_id(), {}};
+  if (asked.material().has_diffuse()) {
+    const im::Color& color = asked.material().diffuse();
+    look.color = Vector3(color.r(), color.g(), color.b());
+  }
+  return look;
+}
+
+LinkMass linkMass(const Message& message) {
+  const auto& asked = static_cast<const im::Link&>(message);
+  LinkMass mass{{asked.id(), asked.name(), {}}, {}};
+  if (asked.has_inertial()) mass.mass = asked.inertial().mass();
+  return mass;
+}
+
+JointPositions jointPositions(const Message& message) {
+  const auto& asked = static_cast<const im::Joint&>(message);
+  JointPositions positions{{asked.id(), asked.name(), {}}, {}};
+  if (asked.has_axis1()) positions.positions[0] = asked.axis1().position();
+  if (asked.has_axis2()) positions.positions[1] = asked.axis2().position();
+  return positions;
 }
 
 void setWheelSlip(const WheelSlip& slip, Message& message) {

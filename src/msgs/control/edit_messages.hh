@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -77,6 +78,31 @@ struct PhysicsSettings {
   std::optional<Vector3> gravity;
 };
 
+/// The request in an `ignition.msgs.Visual`.
+struct VisualLook {
+  /// 0: identified by its name and its link.
+  std::uint64_t id = 0;
+  std::string name;
+  std::string link;
+  std::uint64_t linkId = 0;
+  /// Red, green, blue.
+  std::optional<Vector3> color;
+};
+
+/// The request in an `ignition.msgs.Link`.
+struct LinkMass {
+  EntityName entity;
+  /// [kg]
+  std::optional<double> mass;
+};
+
+/// The request in an `ignition.msgs.Joint`.
+struct JointPositions {
+  EntityName entity;
+  /// Of the first and the second axis [rad or m].
+  std::array<std::optional<double>, 2> positions;
+};
+
 /// Each function reads a message of the type documented above.
 EntityFactory entityFactory(const Message& message);
 EntityName entityName(const Message& message);
@@ -84,6 +110,9 @@ PoseOfEntity poseOfEntity(const Message& message);
 PlaceOfEntity placeOfEntity(const Message& message);
 PhysicsSettings physicsSettings(const Message& message);
 WheelSlip wheelSlip(const Message& message);
+VisualLook visualLook(const Message& message);
+LinkMass linkMass(const Message& message);
+JointPositions jointPositions(const Message& message);
 
 /// Fills in an `ignition.msgs.WheelSlipParametersCmd`.
 void setWheelSlip(const WheelSlip& slip, Message& message);

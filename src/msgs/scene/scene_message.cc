@@ -27,7 +27,8 @@ std::uint32_t numberOf(Id id) {
 
 class SceneWriter {
  public:
-  SceneWriter(const world::Entities& entities, const world::State& state) : entities_(entities), state_(state) {}
+  SceneWriter(const world::Entities& entities, const world::State& state, const ChangedProperties& changed)
+      : entities_(entities), state_(state), changed_(changed) {}
 
   void writeModel(Slot slot, im::Model& message) const {
     const world::ModelRecord& model = entities_.models()[slot];
@@ -59,7 +60,9 @@ class SceneWriter {
       added.set_cast_shadows(visual.castsShadows);
       setPose(visual.X_LinkVisual, *added.mutable_pose());
       setGeometry(visual.geometry, *added.mutable_geometry());
-      if (visual.material) setMaterial(*visual.material, *added.mutable_material());
+      if (const auto material = materialNow(visual, visualId(link, i), changed_)) {
+        setMaterial(*material, *added.mutable_material());
+      }
     }
     for (const world::LightRecord& light : entities_.lights()) {
       if (light.link == slot) writeLight(light, numberOf(link.id), *message.add_light());
@@ -76,6 +79,7 @@ class SceneWriter {
 
   const world::Entities& entities_;
   const world::State& state_;
+  const ChangedProperties& changed_;
 };
 
 class GraphWriter {
@@ -123,10 +127,10 @@ class GraphWriter {
 }  // namespace
 
 void setScene(const world::Entities& entities, const world::State& state, Message& scene,
-              const std::function<bool(std::uint64_t)>& isWanted) {
+              const std::function<bool(std::uint64_t)>& isWanted, const ChangedProperties& changed) {
   auto& message = static_cast<im::Scene&>(scene);
   message.Clear();
-  const SceneWriter writer(entities, state);
+  const SceneWriter writer(entities, state, changed);
   for (const Slot model : entities.topLevelModels()) {
     if (!isWanted || isWanted(entities.models()[model].id.value)) writer.writeModel(model, *message.add_model());
   }

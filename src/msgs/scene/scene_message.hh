@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "msgs/scene/changed_properties.hh"
 #include "pongsim/message.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -14,7 +15,7 @@ namespace pongsim::msgs {
 /// the world's lights. Poses are the current ones, each in its parent's frame.
 /// @param isWanted Called with the id of each top-level model and each light of the world. Empty: all are included.
 void setScene(const world::Entities& entities, const world::State& state, Message& scene,
-              const std::function<bool(std::uint64_t)>& isWanted = {});
+              const std::function<bool(std::uint64_t)>& isWanted = {}, const ChangedProperties& changed = {});
 
 /// @return The tree of entities, as text for Graphviz, with the same content as the scene.
 std::string sceneGraph(const world::Entities& entities);

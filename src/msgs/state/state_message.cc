@@ -12,6 +12,7 @@
 #include <ignition/msgs/serialized_map.pb.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -86,8 +87,9 @@ im::Axis axisMessage(const description::JointAxis& axis) {
 
 class StateWriter {
  public:
-  StateWriter(const world::Entities& entities, const world::State& state, im::SerializedStateMap& message)
-      : entities_(entities), state_(state), message_(message) {}
+  StateWriter(const world::Entities& entities, const world::State& state, const ChangedProperties& changed,
+              im::SerializedStateMap& message)
+      : entities_(entities), state_(state), changed_(changed), message_(message) {}
 
   void writeAll() {
     EntityWriter worldEntity(entities_.worldId().value, message_);
@@ -163,11 +165,20 @@ class StateWriter {
     EntityWriter entity(link.id.value, message_);
     const world::ModelRecord& model = entities_.models()[link.model];
     entity.addPlace("Link", link.description->name, model.id.value);
-    entity.add("Inertial", inertialMessage(link.description->inertial));
+    entity.add("Inertial", inertialMessage(inertialNow(link)));
     if (model.canonicalLink != kNoSlot && &entities_.links()[model.canonicalLink] == &link) entity.add("CanonicalLink");
     for (std::size_t i = 0; i < link.description->visuals.size(); ++i) {
       writeVisual(link.description->visuals[i], visualId(link, i), link.id.value);
     }
+  }
+
+  description::Inertial inertialNow(const world::LinkRecord& link) const {
+    description::Inertial inertial = link.description->inertial;
+    const auto found = changed_.masses.find(link.id);
+    if (found == changed_.masses.end()) return inertial;
+    inertial.mass = found->second.mass;
+    inertial.moments *= found->second.inertiaFactor;
+    return inertial;
   }
 
   /// The script in the message tells how the actor moves.
@@ -207,9 +218,10 @@ class StateWriter {
     entity.add("VisibilityFlags", std::to_string(visual.visibilityFlags));
     if (visual.laserRetro != 0) entity.add("LaserRetro", componentText(visual.laserRetro));
     entity.add("Geometry", bytesOf(visual.geometry));
-    if (!visual.material) return;
+    const std::optional<description::Material> now = materialNow(visual, id, changed_);
+    if (!now) return;
     im::Material material;
-    setMaterial(*visual.material, material);
+    setMaterial(*now, material);
     entity.add("Material", material);
   }
 
@@ -259,13 +271,14 @@ class StateWriter {
 
   const world::Entities& entities_;
   const world::State& state_;
+  const ChangedProperties& changed_;
   im::SerializedStateMap& message_;
 };
 
 }  // namespace
 
 void setState(const world::Entities& entities, const world::State& state, StateContent content, bool isPaused,
-              Message& step) {
+              Message& step, const ChangedProperties& changed) {
   auto& message = static_cast<im::SerializedStepMap&>(step);
   message.Clear();
   setTime(state.time, *message.mutable_stats()->mutable_sim_time());
@@ -274,7 +287,7 @@ void setState(const world::Entities& entities, const world::State& state, StateC
   message.mutable_stats()->set_paused(isPaused);
   setTime(state.time, *message.mutable_state()->mutable_header()->mutable_stamp());
   try {
-    StateWriter writer(entities, state, *message.mutable_state());
+    StateWriter writer(entities, state, changed, *message.mutable_state());
     if (content == StateContent::kAll) writer.writeAll();
     writer.writeMoving(content == StateContent::kAll);
   } catch (...) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "msgs/scene/changed_properties.hh"
 #include "pongsim/message.hh"
 #include "pongsim/scene.hh"
 #include "world/entities.hh"
@@ -13,6 +14,6 @@ namespace pongsim::msgs {
 /// `Sensor`).
 /// @throws std::bad_alloc if memory runs out; the state is then empty, and its previous content is leaked.
 void setState(const world::Entities& entities, const world::State& state, StateContent content, bool isPaused,
-              Message& step);
+              Message& step, const ChangedProperties& changed = {});
 
 }  // namespace pongsim::msgs

@@ -12,12 +12,30 @@ namespace pongsim {
 
 Scene::Scene(const World& world) : access_(world.access_) {}
 
+namespace {
+
+msgs::ChangedProperties changedProperties(const sim::Access& access) {
+  msgs::ChangedProperties changed{access.colors, {}};
+  const std::vector<world::LinkRecord>& links = access.entities.links();
+  for (world::Slot slot = 0; slot < links.size(); ++slot) {
+    const physics::Engine::Mass now = access.engine.mass(slot);
+    // 0 for a link that does not move
+    if (now.mass == 0 || (now.mass == links[slot].description->inertial.mass && now.inertiaFactor == 1)) continue;
+    changed.masses[links[slot].id] = {now.mass, now.inertiaFactor};
+  }
+  return changed;
+}
+
+}  // namespace
+
 void Scene::fillIn(Message& scene, const std::function<bool(std::uint64_t)>& isWanted) const {
-  msgs::setScene(access_->entities, access_->state, scene, isWanted);
+  msgs::setScene(access_->entities, access_->state, scene, isWanted, {access_->colors, {}});
 }
 
 void Scene::fillInState(Message& step, StateContent content, bool isPaused) const {
-  msgs::setState(access_->entities, access_->state, content, isPaused, step);
+  const bool isAll = content == StateContent::kAll;
+  msgs::setState(access_->entities, access_->state, content, isPaused, step,
+                 isAll ? changedProperties(*access_) : msgs::ChangedProperties());
 }
 
 void Scene::fillInGui(Message& gui) const { msgs::setGui(access_->entities.description().gui, gui); }

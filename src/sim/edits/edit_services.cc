@@ -9,8 +9,11 @@
 
 #include "base/nearest_word.hh"
 #include "msgs/control/control_messages.hh"
+#include "msgs/fields/number_check.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/log.hh"
 #include "pongsim/message.hh"
+#include "pongsim/physical_properties.hh"
 #include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
@@ -26,6 +29,17 @@ ServiceAnswer answerFor(const Outcome<void>& outcome) {
   return outcome ? ServiceAnswer(true) : ServiceAnswer::refused(outcome.error);
 }
 
+/// @return The links of the models and of those nested in them.
+std::vector<Link> linksOf(const std::vector<Model>& models) {
+  std::vector<Link> links;
+  for (const Model& model : models) {
+    const std::vector<Link> own = model.links(), nested = linksOf(model.models());
+    links.insert(links.end(), own.begin(), own.end());
+    links.insert(links.end(), nested.begin(), nested.end());
+  }
+  return links;
+}
+
 }  // namespace
 
 EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
@@ -36,6 +50,9 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("set_pose_vector", "ignition.msgs.Pose_V", &EditServices::setPoses);
   serve("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates", &EditServices::setPlace);
   serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
+  serve("visual_config", "ignition.msgs.Visual", &EditServices::setVisual);
+  serve("set_mass", "ignition.msgs.Link", &EditServices::setMass);
+  serve("set_joint_position", "ignition.msgs.Joint", &EditServices::setJointPosition);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
   serve("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", &EditServices::setWheelSlip);
   serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
@@ -200,6 +217,85 @@ ServiceAnswer EditServices::setPlace(const Message& request) {
 }
 
 ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }
+
+Outcome<VisualId> EditServices::findVisual(const msgs::VisualLook& asked) {
+  if (asked.id == 0 && (asked.name.empty() || (asked.link.empty() && asked.linkId == 0))) {
+    return {std::nullopt, "give an id, or a name with the parent_name (MODEL::LINK) or parent_id of its link"};
+  }
+  for (const Link& link : linksOf(simulation_.world().models())) {
+    const bool isParent = asked.id != 0 || asked.linkId == link.id().value ||
+                          (asked.linkId == 0 && (asked.link == link.scopedName() || asked.link == link.name()));
+    if (!isParent) continue;
+    for (const Visual& visual : link.visuals()) {
+      if (asked.id != 0 ? visual.id().value == asked.id : visual.name() == asked.name) return {visual.id(), {}};
+    }
+  }
+  if (asked.id != 0) return {std::nullopt, "there is no visual with the id " + std::to_string(asked.id)};
+  return {std::nullopt, "there is no visual '" + asked.name + "' in such a link"};
+}
+
+/// Changes the colour of a visual. Fortress's service has no other visible effect that the messages could show.
+ServiceAnswer EditServices::setVisual(const Message& request) {
+  const msgs::VisualLook asked = msgs::visualLook(request);
+  if (!asked.color) return ServiceAnswer::refused("give the colour: material { diffuse }");
+  const Outcome<VisualId> visual = findVisual(asked);
+  if (!visual) return ServiceAnswer::refused(visual.error);
+  return answerFor(PhysicalProperties(simulation_.world()).setColor(*visual.value, *asked.color));
+}
+
+Outcome<Link> EditServices::findLink(const msgs::EntityName& asked) {
+  Outcome<msgs::EntityName> found = findLinkOrModel(asked);
+  if (!found) return {std::nullopt, found.error};
+  if (found->type != "LINK") return {std::nullopt, "'" + found->name + "' is a model; give a link"};
+  return {simulation_.world().link(LinkId{found->id}), {}};
+}
+
+/// Sets the mass of a link, as if its density had changed.
+ServiceAnswer EditServices::setMass(const Message& request) {
+  const msgs::LinkMass asked = msgs::linkMass(request);
+  if (!asked.mass) return ServiceAnswer::refused("give the mass: inertial { mass }");
+  Outcome<Link> link = findLink(asked.entity);
+  if (!link) return ServiceAnswer::refused(link.error);
+  PhysicalProperties properties(simulation_.world());
+  const double factor = properties.inertiaFactor(*link) * *asked.mass / link->mass().mass;
+  return answerFor(properties.setMass(*link, *asked.mass, factor));
+}
+
+Outcome<Joint> EditServices::findJoint(const msgs::EntityName& asked) {
+  const World world = simulation_.world();
+  if (asked.id != 0) {
+    if (const auto joint = world.joint(JointId{asked.id})) return {joint, {}};
+    return {std::nullopt, "there is no joint with the id " + std::to_string(asked.id)};
+  }
+  const std::size_t colons = asked.name.rfind("::");
+  const auto model =
+      colons == std::string::npos ? std::nullopt : world.model(std::string_view(asked.name).substr(0, colons));
+  const auto joint = model ? model->joint(std::string_view(asked.name).substr(colons + 2)) : std::nullopt;
+  if (joint) return {joint, {}};
+  if (asked.name.empty()) return {std::nullopt, "give a name or an id"};
+  return {std::nullopt, "there is no joint '" + asked.name + "' (it is 'MODEL::JOINT')"};
+}
+
+ServiceAnswer EditServices::setJointPosition(const Message& request) {
+  if (const auto fault = msgs::unusableNumber(request, kLargestCommand)) return ServiceAnswer::refused(*fault);
+  const msgs::JointPositions asked = msgs::jointPositions(request);
+  if (!asked.positions[0] && !asked.positions[1]) {
+    return ServiceAnswer::refused("give a position: axis1 { position }");
+  }
+  Outcome<Joint> joint = findJoint(asked.entity);
+  if (!joint) return ServiceAnswer::refused(joint.error);
+  if (asked.positions[1] && joint->axisCount() < 2) {
+    return ServiceAnswer::refused("joint '" + std::string(joint->name()) + "' has no axis2");
+  }
+  for (int axis : {0, 1}) {
+    const std::optional<double> position = asked.positions[static_cast<std::size_t>(axis)];
+    if (!position) continue;
+    // what could refuse the second would have refused the first
+    const Outcome<void> moved = joint->resetPosition(*position, axis);
+    if (!moved) return ServiceAnswer::refused(moved.error);
+  }
+  return true;
+}
 
 ServiceAnswer EditServices::setPerformer(const Message& request) {
   return answerFor(simulation_.addPerformer(msgs::string(request)));

@@ -13,7 +13,8 @@
 namespace pongsim::sim {
 
 /// Services that change a running world: `create`, `create_multiple`, `remove`, `set_pose`, `set_pose_vector`,
-/// `set_spherical_coordinates`, `light_config`, `set_physics` and `wheel_slip` under `/world/W`. Requests are handled
+/// `set_spherical_coordinates`, `light_config`, `visual_config`, `set_mass`, `set_joint_position`, `set_physics` and
+/// `wheel_slip` under `/world/W`. Requests are handled
 /// within `Transport::dispatch`, which must be called between two steps. The response is sent when the change is done,
 /// or has the reason of a refusal. `light_config` and `wheel_slip` are also topics; the latter is received by
 /// wheel-slip systems.
@@ -35,6 +36,9 @@ class EditServices {
   ServiceAnswer setPoses(const Message& request);
   ServiceAnswer setPlace(const Message& request);
   ServiceAnswer setLight(const Message& request);
+  ServiceAnswer setVisual(const Message& request);
+  ServiceAnswer setMass(const Message& request);
+  ServiceAnswer setJointPosition(const Message& request);
   ServiceAnswer setPhysics(const Message& request);
   ServiceAnswer setWheelSlip(const Message& request);
 
@@ -53,6 +57,9 @@ class EditServices {
   ServiceAnswer setPerformer(const Message& request);
   /// @return The top-level model.
   Outcome<Model> find(const msgs::EntityName& asked);
+  Outcome<Link> findLink(const msgs::EntityName& asked);
+  Outcome<Joint> findJoint(const msgs::EntityName& asked);
+  Outcome<VisualId> findVisual(const msgs::VisualLook& asked);
   /// @return The link or model at any level.
   Outcome<msgs::EntityName> findLinkOrModel(const msgs::EntityName& asked);
 

@@ -2,16 +2,20 @@
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/inertial.pb.h>
 #include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/serialized_map.pb.h>
 #include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "msgs/state/component.hh"
 #include "plugin/core_systems.hh"
 #include "pongsim/scene.hh"
 #include "pongsim/simulation.hh"
@@ -248,6 +252,105 @@ TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
   EXPECT_EQ(scene().light(0).diffuse().r(), 1);
 }
 
+constexpr const char* kArm = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity><model name="arm">
+  <link name="base"><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>2</iyy><izz>2.5</izz></inertia></inertial>
+    <visual name="v"><geometry><sphere><radius>1</radius></sphere></geometry>
+      <material><diffuse>1 1 1 0.5</diffuse></material></visual></link>
+  <link name="hand"><pose>1 0 0 0 0 0</pose><visual name="v"><geometry><box/></geometry></visual></link>
+  <joint name="j" type="revolute"><parent>base</parent><child>hand</child><pose>-1 0 0 0 0 0</pose>
+    <axis><xyz>0 0 1</xyz></axis></joint></model>
+  <model name="rock"><static>true</static><link name="l"/></model></world></sdf>)";
+
+class PropertyServicesTest : public EditServicesTest {
+ protected:
+  void SetUp() override {
+    test::testDomain();
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(kArm, "world.sdf", {.loadSystems = false}, diagnostics);
+    ASSERT_NE(simulation_, nullptr);
+    services_ = std::make_unique<EditServices>(*simulation_);
+  }
+  std::string mass(const std::string& text) { return refusal("set_mass", "Link", text); }
+  std::string position(const std::string& text) { return refusal("set_joint_position", "Joint", text); }
+  std::string color(const std::string& text) { return refusal("visual_config", "Visual", text); }
+  /// @return A component of the state, in its serialized form.
+  std::string component(std::uint64_t entity, const char* name) {
+    ignition::msgs::SerializedStepMap step;
+    Scene(simulation_->world()).fillInState(step, StateContent::kAll, true);
+    const auto& components = step.state().entities().at(entity).components();
+    return components.at(static_cast<std::int64_t>(msgs::componentType(name))).component();
+  }
+};
+
+TEST_F(PropertyServicesTest, SetMasses) {
+  const Link base = *model("arm")->link("base");
+  EXPECT_EQ(mass("name: 'arm::base', inertial {mass: 6}"), "");
+  EXPECT_EQ(base.mass().mass, 6);
+  EXPECT_NEAR(base.mass().inertia(2, 2), 7.5, 1e-12) << "as if its density had changed";
+  ignition::msgs::Inertial shown;
+  ASSERT_TRUE(shown.ParseFromString(component(base.id().value, "Inertial")));
+  EXPECT_EQ(shown.mass(), 6);
+  EXPECT_NEAR(shown.iyy(), 6, 1e-12);
+  EXPECT_EQ(mass("id: " + std::to_string(base.id().value) + ", inertial {mass: 2}"), "");
+  EXPECT_EQ(base.mass().mass, 2);
+  EXPECT_NEAR(base.mass().inertia(2, 2), 2.5, 1e-12);
+}
+
+TEST_F(PropertyServicesTest, RefuseMassesThatCanNotBe) {
+  for (const char* bad : {"mass: 0", "mass: -1", "mass: nan", "mass: inf"}) {
+    EXPECT_NE(mass(std::string("name: 'arm::base', inertial {") + bad + "}"), "") << bad;
+  }
+  EXPECT_NE(mass("name: 'arm::base'"), "");
+  EXPECT_NE(mass("name: 'arm', inertial {mass: 1}").find("is a model"), std::string::npos);
+  EXPECT_NE(mass("name: 'arm::foot', inertial {mass: 1}"), "");
+  EXPECT_NE(mass("name: 'rock::l', inertial {mass: 1}").find("does not move"), std::string::npos);
+  EXPECT_EQ(model("arm")->link("base")->mass().mass, 2);
+}
+
+TEST_F(PropertyServicesTest, MoveJoints) {
+  const Joint joint = *model("arm")->joint("j");
+  EXPECT_EQ(position("name: 'arm::j', axis1 {position: 1.5}"), "");
+  EXPECT_NEAR(joint.position(), 1.5, 1e-12);
+  EXPECT_NEAR(model("arm")->link("hand")->pose().position.y(), std::sin(1.5), 1e-12);
+  EXPECT_EQ(position("id: " + std::to_string(joint.id().value) + ", axis1 {}"), "");
+  EXPECT_NEAR(joint.position(), 0, 1e-12);
+  EXPECT_EQ(position("name: 'arm::j', axis1 {position: nan}"), "axis1.position is nan");
+  EXPECT_NE(position("name: 'arm::j', axis1 {position: 1e300}"), "");
+  EXPECT_EQ(position("name: 'arm::j', axis1 {position: 1}, axis2 {}"), "joint 'j' has no axis2");
+  EXPECT_NE(position("name: 'arm::j'"), "");
+  EXPECT_EQ(position("name: 'arm::k', axis1 {}"), "there is no joint 'arm::k' (it is 'MODEL::JOINT')");
+  EXPECT_NE(position("id: 4711, axis1 {}"), "");
+  EXPECT_NEAR(joint.position(), 0, 1e-12) << "a refused request changes nothing";
+}
+
+TEST_F(PropertyServicesTest, ColorVisuals) {
+  const ignition::msgs::Visual before = scene().model(0).link(0).visual(0);
+  EXPECT_EQ(color("id: " + std::to_string(before.id()) + ", material {diffuse {r: 0.25, b: 1, a: 1}}"), "");
+  const ignition::msgs::Material now = scene().model(0).link(0).visual(0).material();
+  EXPECT_EQ(now.diffuse().r(), 0.25F);
+  EXPECT_EQ(now.diffuse().g(), 0);
+  EXPECT_EQ(now.diffuse().a(), 0.5F) << "it stays as transparent as it was";
+  EXPECT_EQ(now.ambient().b(), 1);
+  ignition::msgs::Material inState;
+  ASSERT_TRUE(inState.ParseFromString(component(before.id(), "Material")));
+  EXPECT_EQ(inState.diffuse().r(), 0.25F);
+  EXPECT_EQ(color("name: 'v', parent_name: 'arm::hand', material {diffuse {g: 1}}"), "");
+  EXPECT_EQ(scene().model(0).link(1).visual(0).material().diffuse().g(), 1);
+  EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().g(), 0);
+  EXPECT_EQ(color("name: 'v', parent_name: 'base', material {diffuse {g: 1}}"), "") << "as Fortress names links";
+  EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().g(), 1);
+  for (const char* bad :
+       {"name: 'v', material {diffuse {}}", "name: 'w', parent_name: 'arm::hand', material {diffuse {}}",
+        "id: 4711, material {diffuse {}}", "name: 'v', parent_name: 'arm::hand'",
+        "name: 'v', parent_name: 'arm::hand', material {diffuse {r: 2}}",
+        "name: 'v', parent_name: 'arm::hand', material {diffuse {r: nan}}"}) {
+    EXPECT_NE(color(bad), "") << bad;
+  }
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().r(), 1) << "as in the file";
+}
+
 TEST_F(EditServicesTest, PassWheelSlipsOnToWhoeverListens) {
   const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
   EXPECT_EQ(slip("entity {name: 'ball::l'}"), "the world has no wheel-slip system");
@@ -361,7 +464,7 @@ TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
     // an empty request can be parsed, whether it is carried out or refused
     EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
   }
-  EXPECT_EQ(services, 10);
+  EXPECT_EQ(services, 13);
 }
 
 TEST_F(EditServicesTest, ChangePhysicsOrNothingOfIt) {

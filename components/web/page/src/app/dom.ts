@@ -43,6 +43,22 @@ export function numberField(value: number, more: Attributes = {}): HTMLInputElem
   return field;
 }
 
+/// Calls `act` when a value has been entered. Until it is edited again, the field shows what is true, and Ctrl+Z is the
+/// page's and not the field's.
+export function onEntered(field: HTMLInputElement, act: () => void): void {
+  field.addEventListener('input', () => delete field.dataset.entered);
+  field.addEventListener('blur', () => delete field.dataset.entered);
+  field.addEventListener('change', () => {
+    field.dataset.entered = '';
+    act();
+  });
+}
+
+/// Whether the user is typing a value into the field, which must not be overwritten.
+export function isEditing(field: HTMLInputElement): boolean {
+  return field === document.activeElement && field.dataset.entered === undefined;
+}
+
 /// Sets the options of a list. The selected one stays selected if it is still an option.
 export function setChoices(select: HTMLSelectElement, choices: readonly string[], none?: string): void {
   const before = select.value;

@@ -45,15 +45,48 @@ export function move(context: Context, entity: Entity, pose: Message): Promise<v
   return history.perform({ what: `Move ${entity.name}`, redo: () => to(pose), undo: () => to(before) });
 }
 
+/// Changes something by a service of the world that takes what it was, too.
+/// @param id Of the entity; null: the world itself.
+function change({ world, history }: Context, what: string, service: string, id: number | null, before: Message, after: Message): Promise<void> {
+  const to = async (fields: Message): Promise<void> => {
+    await world.ask(service, id === null ? fields : { ...fields, id: history.current(id) });
+    await world.read();
+  };
+  return history.perform({ what, redo: () => to(after), undo: () => to(before) });
+}
+
 /// Changes a light.
 /// @param before, after An ignition.msgs.Light.
 export function changeLight(context: Context, before: Message, after: Message): Promise<void> {
-  const { world, history } = context;
-  const to = async (light: Message): Promise<void> => {
-    await world.ask('light_config', { ...light, id: history.current(light.id as number) });
-    await world.read();
-  };
-  return history.perform({ what: `Change ${after.name}`, redo: () => to(after), undo: () => to(before) });
+  return change(context, `Change ${after.name}`, 'light_config', after.id as number, before, after);
+}
+
+/// Changes the gravity of the world [m/s²].
+export function setGravity(context: Context, before: readonly number[], after: readonly number[]): Promise<void> {
+  const fields = ([x, y, z]: readonly number[]): Message => ({ gravity: { x, y, z } });
+  return change(context, 'Change gravity', 'set_physics', null, fields(before), fields(after));
+}
+
+/// Changes the mass of a link [kg].
+export function setMass(context: Context, link: Entity, before: number, after: number): Promise<void> {
+  const fields = (mass: number): Message => ({ inertial: { mass } });
+  return change(context, `Change the mass of ${link.name}`, 'set_mass', link.id, fields(before), fields(after));
+}
+
+/// Red, green, blue, 0 to 1.
+export type Rgb = [number, number, number];
+
+/// Changes the colour of a visual.
+export function setColor(context: Context, visual: Entity, before: Rgb, after: Rgb): Promise<void> {
+  const fields = ([r, g, b]: Rgb): Message => ({ material: { diffuse: { r, g, b, a: 1 } } });
+  return change(context, `Colour ${visual.name}`, 'visual_config', visual.id, fields(before), fields(after));
+}
+
+/// Moves the axes of a joint [rad or m].
+export function setJointPositions(context: Context, joint: Entity, before: readonly number[], after: readonly number[]): Promise<void> {
+  const fields = ([first, second]: readonly number[]): Message =>
+    ({ axis1: { position: first }, ...(second !== undefined && { axis2: { position: second } }) });
+  return change(context, `Move ${joint.name}`, 'set_joint_position', joint.id, fields(before), fields(after));
 }
 
 /// Inserts a model or light.

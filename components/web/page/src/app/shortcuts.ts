@@ -43,9 +43,13 @@ export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' 
 export function listenToShortcuts(context: () => Context | null): void {
   window.addEventListener('keydown', (event) => {
     const now = context();
-    if (!now || event.defaultPrevented || isTyping(event.target, event.key)) return;
+    if (!now || event.defaultPrevented) return;
     // the other custom for redo
     const keys = keysOf(event).replace(/^ctrl\+y$/, 'ctrl+shift+z');
+    const isUndo = /^ctrl\+(shift\+)?z$/.test(keys);
+    // a value that has been entered is a change of the world
+    const isEntered = isUndo && (event.target as HTMLElement).dataset?.entered !== undefined;
+    if (!isEntered && isTyping(event.target, event.key)) return;
     // leaves Ctrl+C to the browser while text is selected
     if (keys === 'ctrl+c' && String(getSelection()) !== '') return;
     const shortcut = kShortcuts.find((each) => each.keys === keys);

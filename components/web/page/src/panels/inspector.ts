@@ -1,11 +1,13 @@
-/// Shows the selected entity: its current pose, and its components.
+/// Shows the selected entity: its current pose, and its components; what can be changed has fields.
 import { Ends, type Context, type Panel } from '../app/context.ts';
-import { h, shortNumber } from '../app/dom.ts';
+import { h, setChildren, shortNumber } from '../app/dom.ts';
+import { move } from '../app/edits.ts';
 import { Components } from '../connection/components.ts';
 import { kJointNames, sensorSettings, sensorType, type Entity } from '../connection/entities.ts';
-import { rollPitchYawOf } from '../connection/poses.ts';
+import { poseMessage, rollPitchYawOf } from '../connection/poses.ts';
 import type { Message, MessageTypes } from '../connection/types.ts';
 import { PoseTable } from './pose_table.ts';
+import { jointPositions, propertyFields, type PropertyFields } from './property_fields.ts';
 
 type Rows = [name: string, value: string][];
 
@@ -83,33 +85,53 @@ function sensorRows(sensor: Entity, types: MessageTypes): Rows {
 export function openInspector(context: Context): Panel {
   const { world, selection, connection } = context;
   const ends = new Ends();
-  const pose = new PoseTable();
-  const table = h('dl', {});
-  const nothing = h('p', { class: 'hint' }, 'Select something in the view or the tree');
-  const motion = h('dd', { id: 'inspector-joint' }, '–');
-  let isJoint = false;
-  const show = (): void => {
+  const pose = new PoseTable((entered) => {
     const entity = world.entities.get(selection.id);
+    if (entity) void context.attempt('Move', move(context, entity, poseMessage(entered)));
+  });
+  const poseRow = [h('dt', {}, 'Pose'), h('dd', {}, pose.element)];
+  const table = h('dl', {});
+  const nothing = h('p', { class: 'hint' }, 'Select something in the view or the tree; this is the world');
+  const motion = h('dd', { id: 'inspector-joint' }, '–');
+  const motionRow = [h('dt', {}, 'Position, velocity'), motion];
+  let isJoint = false;
+  let fields: PropertyFields & { id: number; rows: HTMLElement[] } | null = null;
+  // kept while the entity is selected, because new ones would lose the focus
+  const fieldsFor = (entity: Entity): PropertyFields & { id: number; rows: HTMLElement[] } => {
+    if (fields?.id === entity.id) return fields;
+    const made = connection.isReadOnly ? { all: [] } : propertyFields(context, entity);
+    const rows = made.all.flatMap(({ name, element }) => [h('dt', {}, name), h('dd', {}, element)]);
+    return (fields = { ...made, id: entity.id, rows });
+  };
+  const show = (): void => {
+    const chosen = world.entities.get(selection.id);
+    nothing.hidden = !!chosen;
+    const entity = chosen ?? world.entities.world;
     if (!entity) {
       table.replaceChildren();
-      nothing.hidden = false;
+      fields = null;
       return;
     }
-    nothing.hidden = true;
     isJoint = entity.kind === 'joint';
-    const rows = rowsOf(entity, connection.types).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]);
-    table.replaceChildren(...rows, ...(isJoint ? [h('dt', {}, 'Position, velocity'), motion] : [h('dt', {}, 'Pose'), h('dd', {}, pose.element)]));
+    const { all, rows: editable } = fieldsFor(entity);
+    for (const field of all) field.show(entity);
+    const names = new Set(all.map(({ name }) => name));
+    const rows = rowsOf(entity, connection.types).filter(([name]) => !names.has(name))
+      .flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]);
+    setChildren(table, [...editable, ...rows, ...(isJoint ? motionRow : entity.kind === 'world' ? [] : poseRow)]);
     showPose();
   };
+  const canMove = ({ kind, parent }: Entity): boolean =>
+    !connection.isReadOnly && (kind === 'model' || kind === 'light') && parent?.kind === 'world';
   const showPose = (): void => {
     const entity = world.entities.get(selection.id);
     if (!entity || isJoint) return;
     const live = world.poses.get(entity.id);
     if (live) {
       const [x, y, z, qx, qy, qz, qw] = live as unknown as [number, number, number, number, number, number, number];
-      pose.show([x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])], 'in the world');
+      pose.show([x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])], 'in the world', !canMove(entity));
     } else {
-      pose.show(entity.components.numbers('Pose') ?? [], `in ${entity.parent?.kind === 'world' ? 'the world' : entity.parent?.name ?? 'its parent'}`);
+      pose.show(entity.components.numbers('Pose') ?? [], `in ${entity.parent?.kind === 'world' ? 'the world' : entity.parent?.name ?? 'its parent'}`, !canMove(entity));
     }
   };
   // joint positions are not in the pose frames, so the state is subscribed to while a joint is selected
@@ -127,10 +149,14 @@ export function openInspector(context: Context): Panel {
     const components = new Components(moving);
     const data = (name: string): number[] => components.message(name, 'ignition.msgs.Double_V', connection.types)?.data ?? [];
     motion.textContent = `${list(data('JointPosition'))}, ${list(data('JointVelocity'))}`;
+    fields?.showPositions?.(jointPositions(moving, connection.types));
   };
   ends.add(selection.changed.on(() => {
     show();
     followJoint();
+  }), connection.infoReceived.on(() => {
+    fields = null;
+    show();
   }), world.changed.on(show), world.framed.on(showPose), () => endState?.());
   show();
   followJoint();

@@ -1,5 +1,6 @@
-/// A pose as a table whose numbers keep their places while they change.
-import { h } from '../app/dom.ts';
+/// A pose as a table whose numbers keep their places while they change, and can be changed.
+import { h, isEditing, onEntered } from '../app/dom.ts';
+import type { Sixfold } from '../connection/poses.ts';
 
 const kNames = ['x', 'y', 'z', 'roll', 'pitch', 'yaw'];
 
@@ -10,17 +11,40 @@ export function fixedNumber(value: number): string {
 }
 
 export class PoseTable {
-  private readonly cells = kNames.map(() => h('span', { class: 'number' }));
+  private pose: readonly number[] = [];
+  private readonly cells = kNames.map((name, i) => h('input', {
+    type: 'number', step: 'any', class: 'number', 'aria-label': name, onblur: () => this.write(i),
+  }));
   private readonly frame = h('span', { class: 'hint' });
   readonly element = h('div', { class: 'pose', id: 'inspector-pose' },
     ...kNames.map((name, i) => h('span', {}, h('span', { class: 'axis' }, name), this.cells[i])), this.frame);
 
+  /// @param change Called with the pose that has been entered.
+  constructor(private readonly change: (pose: Sixfold) => void) {
+    this.cells.forEach((cell, i) => onEntered(cell, () => this.enter(i)));
+  }
+
   /// @param pose x, y, z [m], roll, pitch, yaw [rad]; empty if it is not known.
   /// @param frame "in the world"
-  show(pose: readonly number[], frame: string): void {
-    this.cells.forEach((cell, i) => (cell.textContent = pose[i] === undefined ? '–' : fixedNumber(pose[i])));
+  show(pose: readonly number[], frame: string, isFixed = true): void {
+    this.pose = pose;
+    this.cells.forEach((cell, i) => {
+      cell.readOnly = isFixed || pose.length !== 6;
+      // what is being typed stays
+      if (cell.readOnly || !isEditing(cell)) this.write(i);
+    });
     this.frame.textContent = `${frame} [m, rad]`;
     // all digits, to copy
     this.element.title = pose.join(' ');
+  }
+
+  private write(i: number): void {
+    this.cells[i]!.value = this.pose[i] === undefined ? '' : fixedNumber(this.pose[i]);
+  }
+
+  private enter(i: number): void {
+    const entered = this.cells[i]!.valueAsNumber;
+    // the others have all their digits
+    if (Number.isFinite(entered)) this.change(this.pose.map((number, k) => (k === i ? entered : number)) as Sixfold);
   }
 }

@@ -31,7 +31,7 @@ test('a click in the view chooses what is there', async () => {
 });
 
 test('its pose is a table whose numbers keep their places', async () => {
-  const numbers = await page.tab.locator('#inspector-pose .number').allTextContents();
+  const numbers = await page.tab.locator('#inspector-pose .number').evaluateAll((cells) => cells.map(({ value }) => value));
   assert.deepEqual(numbers, ['2.000', '0.000', '0.500', '0.000', '0.000', '0.000']);
 });
 

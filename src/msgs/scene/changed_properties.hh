@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "description/link.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// Properties that differ from those of the file, because they have been changed since.
+struct ChangedProperties {
+  struct Mass {
+    /// [kg]
+    double mass = 0;
+    /// How many times the moments of inertia of the file the present ones are.
+    double inertiaFactor = 1;
+  };
+  /// Red, green, blue, 0 to 1.
+  std::map<VisualId, Vector3> colors;
+  std::map<LinkId, Mass> masses;
+};
+
+/// @return The material of a visual with the colour that it has now; nothing if it has none of its own.
+std::optional<description::Material> materialNow(const description::Visual& visual, VisualId id,
+                                                 const ChangedProperties& changed);
+
+}  // namespace pongsim::msgs
