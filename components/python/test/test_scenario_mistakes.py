@@ -10,7 +10,8 @@ LOCKSTEP = "programs: [{{command: sleep 60}}]\nlockstep: {{topics: ['{}']}}\n"
 IN_THE_FILE = {
     "empty": ("", r"s.yaml:1:1: error: the file is empty"),
     "no world": ("duration: 1\nexpect: []\n", r"s.yaml:1:1: error: a scenario has no 'world'"),
-    "no file": (LANDS.replace("w.sdf", "v.sdf"), r"s.yaml:1:8: error: there is no file v.sdf"),
+    "no file": (LANDS.replace("w.sdf", "v.sdf"), r"s.yaml:1:8: error: there is no file v.sdf (did you mean 'w.sdf'?)"),
+    "a known world": (LANDS.replace("w.sdf", "pong_wrld.sdf"), "there is no file pong_wrld.sdf (did you mean 'pong_world.sdf'?)"),
     "a key": (LANDS + "expct: 1\n", r"s.yaml:6:8: error: a scenario has no 'expct' (did you mean 'expect'?)"),
     "nothing expected": (HEAD + "expect: []\n", r"s.yaml:3:1: error: expect is empty"),
     "no mode": (EXPECT + "  - pose: ball\n", "s.yaml:4:5: error: an expectation has none of eventually, always, never, in_order"),
@@ -85,6 +86,34 @@ def test_of_the_world(tmp_path, entry, words):
     assert (code, err) == (2, "")
     assert words in out
     assert "(0 s in " in out, "nothing was run"
+
+
+def test_all_mistakes_are_told_at_once(tmp_path):
+    text = """world: w.sdf
+duration: -1
+programs: [{comand: foo}]
+publish:
+  - {topic: /a, mesage: {}}
+  - {topic: /b, message: 3}
+expect:
+  - {pose: ball, always: {z: {blow: 1}}}
+  - {pose: ball, alwys: {z: 1}}
+faults: [{type: drp, topic: /a}]
+keep: [pictures]
+"""
+    code, out, err = run(tmp_path, text, "--github")
+    assert (code, out.count("::error file=s.yaml,line=")) == (2, 8)
+    places = [line.split(": ")[0] for line in err.splitlines()]
+    assert places == [f"s.yaml:{place}" for place in ("2:11", "3:21", "5:17", "6:26", "8:37", "9:18", "10:17", "11:8")]
+
+
+def test_all_mistakes_of_the_world_are_told_at_once(tmp_path):
+    code, out, _ = run(tmp_path, EXPECT + "  - {pose: bal, always: {z: 1}}\n  - {pose: ball, always: {w: 1}}\npublish:\n"
+                       "  - {topic: /b, message: {}}\n", "--github")
+    assert code == 2
+    for place in ("4:5", "5:5", "7:5"):
+        assert f"\n     s.yaml:{place}: error: " in out
+    assert out.count("::error file=s.yaml,line=") == 3
 
 
 def test_all_files_are_checked_before_anything_runs(tmp_path):

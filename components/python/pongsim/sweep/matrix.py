@@ -89,7 +89,9 @@ class MatrixReader:
         if not os.path.isfile(path):
             found = worlds.find(name)
             if found == name:
-                node.fail(f"there is no file {path}")
+                beside = [each for each in os.listdir(self.folder) if each.endswith(".sdf")] if self.folder.is_dir() else []
+                close = nearest(name, [*beside, *worlds.names()])
+                node.fail(f"there is no file {path}", close if close.startswith("did") else "")
             path = found
         text = world.read(path, node.at) if target_paths else None
         return path, text, world.find(text, path, target_paths) if text is not None else ()

@@ -107,7 +107,8 @@ def _read(options: argparse.Namespace) -> list[Case] | None:
             wrong = True
             say_error("test", error)
             if options.github:
-                print(report.annotation(str(error).replace(": error: ", ": ", 1), file, file), flush=True)
+                for each in str(error).splitlines():
+                    print(report.annotation(each.replace(": error: ", ": ", 1), file, file), flush=True)
     return None if wrong else cases
 
 

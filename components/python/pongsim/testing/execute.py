@@ -145,23 +145,30 @@ class _Attempt:
             self.result.kept += draw(sim, self.pictures)
 
     def _add(self, sim: Simulation, monitor: _core.Monitor) -> list[int]:
-        """Gives the monitor what is to be judged. Raises Mistake."""
-        numbers = []
-        at = ""
-        try:
-            for expected in self.case.expected:
-                at = expected.at
+        """Gives the monitor what is to be judged. Raises Mistake, with all of them."""
+        numbers: list[int] = []
+        # the first at each place
+        mistakes: dict[str, str] = {}
+        for expected in self.case.expected:
+            try:
                 numbers.append(monitor.add(expected.spec))
-            for publication in self.case.publications:
-                at = publication.at
-                self._check(sim, publication)
-                if publication.after is None:
-                    self._put(publication, publication.time)
-                else:
-                    self.waiting[monitor.add({"mode": "eventually", "events": [publication.after]})] = publication
-        except (ValueError, TypeError) as error:
-            raise Mistake(f"{at}: error: {error}") from None
+            except (ValueError, TypeError) as error:
+                mistakes.setdefault(expected.at, f"{expected.at}: error: {error}")
+        for publication in self.case.publications:
+            try:
+                self._add_publication(sim, monitor, publication)
+            except (ValueError, TypeError) as error:
+                mistakes.setdefault(publication.at, f"{publication.at}: error: {error}")
+        if mistakes:
+            raise Mistake("\n".join(mistakes.values()))
         return numbers
+
+    def _add_publication(self, sim: Simulation, monitor: _core.Monitor, publication: Publication) -> None:
+        self._check(sim, publication)
+        if publication.after is None:
+            self._put(publication, publication.time)
+        else:
+            self.waiting[monitor.add({"mode": "eventually", "events": [publication.after]})] = publication
 
     def _check(self, sim: Simulation, publication: Publication) -> None:
         """Raises ValueError and TypeError if the message can't be published."""

@@ -109,6 +109,8 @@ _PLACE = re.compile(r"^(?P<file>[^\n]*?):(?P<line>\d+)(?::(?P<column>\d+))?(?:: 
 
 def github(case: Case, result: Result, alone: bool) -> list[str]:
     """Annotations, which GitHub shows at the lines of the scenario."""
+    if result.status is Status.MISTAKE:
+        return [annotation(each, case.file, title(case, alone)) for each in result.reason.splitlines()]
     if result.reason:
         return [annotation(result.reason, case.file, title(case, alone))]
     return [_annotation(each, case, alone) for each in result.failures]

@@ -18,6 +18,7 @@ from ..sweep.plan import Run, Target
 from .conditions import read_fields
 from .faults import Faults, read_faults
 from .lockstep import read_lockstep
+from .mistakes import Mistakes
 
 #: What the monitor judges: see `core/monitor.cc`.
 Spec = dict[str, Any]
@@ -187,10 +188,19 @@ class _Reader(MatrixReader):
         from ..sweep import world as worlds
 
         parts = {key: _filled(node, run.parameters) for key, node in self.parts.items()}
+        # all mistakes are told at once
+        found = Mistakes()
         limits = parts["limits"].mapping("limits", ["wall"]) if "limits" in parts else {}
-        programs = _programs(parts.get("programs"), self.folder)
-        duration = float(parts["duration"].number("duration", above=0))
-        lockstep = read_lockstep(parts["lockstep"], bool(programs)) if "lockstep" in parts else None
+        programs = tuple(found.each(parts.get("programs"), "programs", lambda each: _program(each, self.folder)))
+        duration = found.of(lambda: float(parts["duration"].number("duration", above=0)), 1.0)
+        lockstep = found.of(lambda: read_lockstep(parts["lockstep"], "programs" in parts), None) if "lockstep" in parts else None
+        expected = found.each(parts["expect"], "expect", lambda each: read_expectation(each, self.folder))
+        publications = found.each(parts.get("publish"), "publish", lambda each: _message(each, self.folder))
+        requests = found.each(parts.get("request"), "request", lambda each: _request(each, self.folder))
+        systems = found.each(parts.get("systems"), "systems", _system)
+        faults = found.of(lambda: read_faults(parts.get("faults")), Faults())
+        keep = found.of(lambda: _keep(parts.get("keep")), ())
+        found.check()
         # a controller is made for a robot in real time, unless the world waits for it
         usual = 1.0 if programs and lockstep is None else 0.0
         speed = float(parts["speed"].number("speed", least=0)) if "speed" in parts else usual
@@ -199,12 +209,8 @@ class _Reader(MatrixReader):
             file=self.file, name=name or self.file, run=run, world=world,
             text=worlds.put(text, targets, run.parameters) if text is not None else None,
             duration=duration, wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else wall,
-            speed=speed,
-            systems=tuple(_system(each) for each in parts["systems"].list("systems")) if "systems" in parts else (),
-            publications=(*_publications(parts.get("publish"), self.folder), *_requests(parts.get("request"), self.folder)),
-            programs=programs, faults=read_faults(parts.get("faults")), lockstep=lockstep,
-            expected=tuple(read_expectation(each, self.folder) for each in parts["expect"].list("expect")),
-            keep=_keep(parts.get("keep")))
+            speed=speed, systems=tuple(systems), publications=(*publications, *requests), programs=programs, faults=faults,
+            lockstep=lockstep, expected=tuple(expected), keep=keep)
 
 
 def _filled(node: Node, parameters: Mapping[str, Any]) -> Node:
@@ -322,23 +328,17 @@ def _system(node: Node) -> str:
     return element
 
 
-def _publications(node: Node | None, folder: pathlib.Path) -> tuple[Publication, ...]:
-    made = []
-    for each in node.list("publish") if node is not None else []:
-        parts = each.mapping("a message to publish", ["topic", "type", "message", "at", "after", "every"])
-        made.append(_publication(each, parts, "a message to publish", "topic", "", folder))
-    return tuple(made)
+def _message(node: Node, folder: pathlib.Path) -> Publication:
+    parts = node.mapping("a message to publish", ["topic", "type", "message", "at", "after", "every"])
+    return _publication(node, parts, "a message to publish", "topic", "", folder)
 
 
-def _requests(node: Node | None, folder: pathlib.Path) -> tuple[Publication, ...]:
-    made = []
-    for each in node.list("request") if node is not None else []:
-        parts = each.mapping("a request", ["service", "type", "message", "reply", "at", "after", "every"])
-        if "type" not in parts:
-            each.fail("a request has no 'type'", "for example type: EntityFactory")
-        reply = parts["reply"].text("reply") if "reply" in parts else "Boolean"
-        made.append(_publication(each, parts, "a request", "service", reply, folder))
-    return tuple(made)
+def _request(node: Node, folder: pathlib.Path) -> Publication:
+    parts = node.mapping("a request", ["service", "type", "message", "reply", "at", "after", "every"])
+    if "type" not in parts:
+        node.fail("a request has no 'type'", "for example type: EntityFactory")
+    reply = parts["reply"].text("reply") if "reply" in parts else "Boolean"
+    return _publication(node, parts, "a request", "service", reply, folder)
 
 
 def _publication(node: Node, parts: Mapping[str, Node], what: str, place: str, reply: str, folder: pathlib.Path) -> Publication:
@@ -355,24 +355,21 @@ def _publication(node: Node, parts: Mapping[str, Node], what: str, place: str, r
         float(parts["every"].number("every", above=0)) if "every" in parts else 0.0, node.at)
 
 
-def _programs(node: Node | None, folder: pathlib.Path) -> tuple[Program, ...]:
-    made: list[Program] = []
-    for each in node.list("programs") if node is not None else []:
-        parts = each.mapping("a program", ["name", "command", "environment", "folder", "ready", "wait", "ends"])
-        if "command" not in parts:
-            each.fail("a program has no 'command'")
-        command = _command(parts["command"])
-        environment = parts["environment"].mapping("environment") if "environment" in parts else {}
-        ends = parts["ends"].value if "ends" in parts else False
-        if not isinstance(ends, bool):
-            parts["ends"].fail("'ends' must be true or false")
-        made.append(Program(
-            parts["name"].text("name") if "name" in parts else pathlib.Path(command[0]).name, command,
-            {key: str(value.scalar(f"'{key}' of the environment")) for key, value in environment.items()},
-            str(folder / (parts["folder"].text("folder") if "folder" in parts else ".")),
-            _ready(parts["ready"]) if "ready" in parts else None,
-            float(parts["wait"].number("wait", above=0)) if "wait" in parts else 30.0, ends, each.at))
-    return tuple(made)
+def _program(node: Node, folder: pathlib.Path) -> Program:
+    parts = node.mapping("a program", ["name", "command", "environment", "folder", "ready", "wait", "ends"])
+    if "command" not in parts:
+        node.fail("a program has no 'command'")
+    command = _command(parts["command"])
+    environment = parts["environment"].mapping("environment") if "environment" in parts else {}
+    ends = parts["ends"].value if "ends" in parts else False
+    if not isinstance(ends, bool):
+        parts["ends"].fail("'ends' must be true or false")
+    return Program(
+        parts["name"].text("name") if "name" in parts else pathlib.Path(command[0]).name, command,
+        {key: str(value.scalar(f"'{key}' of the environment")) for key, value in environment.items()},
+        str(folder / (parts["folder"].text("folder") if "folder" in parts else ".")),
+        _ready(parts["ready"]) if "ready" in parts else None,
+        float(parts["wait"].number("wait", above=0)) if "wait" in parts else 30.0, ends, node.at)
 
 
 def _command(node: Node) -> list[str]:
