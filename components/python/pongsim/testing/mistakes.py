@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Callable, Sequence, TypeVar
 
 from ..sweep.document import Node
@@ -35,9 +36,14 @@ class Mistakes:
     def each(self, node: Node | None, what: str, read: Callable[[Node], _Value]) -> list[_Value]:
         """Returns what a function reads from each element of a list, without those that have mistakes."""
         made: list[_Value] = []
+        nodes: list[Node] = []
         if node is not None:
-            for each in self.of(lambda: node.list(what), []):
-                self.of(lambda each=each: made.append(read(each)), None)  # type: ignore[misc]
+            nodes = self.of(functools.partial(node.list, what), nodes)
+        for each in nodes:
+            try:
+                made.append(read(each))
+            except SweepError as error:
+                self._found.append(error)
         return made
 
     def check(self) -> None:
