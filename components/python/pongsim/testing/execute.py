@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import heapq
 import itertools
 import os
@@ -18,7 +19,7 @@ from ..sweep.execute import WallLimit, wall_limit
 from .domains import domain
 from .programs import Beside, Noted, ProgramError
 from .result import Judged, Result, Status
-from .scenario import Case, Publication
+from .scenario import Case, Expected, Publication
 
 #: With programs beside it, a run goes on in parts of this simulated time [s]: between them it looks at the programs and
 #: at the wall clock.
@@ -136,9 +137,10 @@ class _Attempt:
         # before the messages of the last step are delivered, whose receivers may change something
         self.result.state_hash = f"{sim.state_hash():016x}"
         monitor.finish()
-        for expected, number in zip(self.case.expected, numbers):
-            state, when, words, seen, field, times, values = monitor.verdict(number)
-            self.result.judged.append(Judged(expected.at, expected.name, state == "met", when, words, seen, field, times, values))
+        step = sim.step_size
+        for _, group in itertools.groupby(zip(self.case.expected, numbers), lambda each: each[0].at):
+            judged = [(expected, _judged(monitor, expected, number)) for expected, number in group]
+            self.result.judged.append(judged[0][1] if not judged[0][0].part else _first_difference(judged, step))
         if self.pictures:
             from .artefacts import draw
 
@@ -239,6 +241,22 @@ class _Attempt:
         for number in [each for each in self.waiting if monitor.verdict(each)[0] == "met"]:
             publication = self.waiting.pop(number)
             self._put(publication, sim.time + publication.time)
+
+
+def _judged(monitor: _core.Monitor, expected: Expected, number: int) -> Judged:
+    state, when, words, seen, field, times, values = monitor.verdict(number)
+    return Judged(expected.at, expected.name, state == "met", when, words, seen, field, times, values)
+
+
+def _first_difference(parts: list[tuple[Expected, Judged]], step: float) -> Judged:
+    """Returns the first of the parts that is not met, with its step and how many others there are; one of them if all are."""
+    failed = sorted((each for each in parts if not each[1].met), key=lambda each: each[1].time)
+    if not failed:
+        return parts[0][1]
+    expected, first = failed[0]
+    others = f"; {len(failed)} of {len(parts)} numbers differ" if len(failed) > 1 else ""
+    seen = f"{expected.part}: {first.seen}, step {round(first.time / step)}{others}"
+    return dataclasses.replace(first, seen=seen)
 
 
 @contextlib.contextmanager

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import pathlib
 import re
 import shlex
@@ -19,6 +20,7 @@ from .conditions import read_fields
 from .faults import Faults, read_faults
 from .lockstep import read_lockstep
 from .mistakes import Mistakes
+from .recorded_run import recorded_parts
 
 #: What the monitor judges: see `core/monitor.cc`.
 Spec = dict[str, Any]
@@ -28,7 +30,7 @@ KEYS = ("name", "world", "duration", "parameters", "combine", "latin_hypercube",
 MODES = ("eventually", "always", "never", "in_order")
 SIGNALS = ("topic", "pose", "velocity", "joint", "contact")
 WINDOW = ("within", "during", "at", "for", "after", "until")
-KEEP = ("recording", "picture", "log")
+KEEP: tuple[str, ...] = ("recording", "picture", "log")
 #: Where parameters can be used as $NAME.
 _FILLED = ("systems", "faults", "publish", "request", "programs", "lockstep", "expect")
 #: Limit of wall time, in addition to what its speed asks for [s].
@@ -44,6 +46,8 @@ class Expected:
     spec: Spec
     at: str
     name: str
+    #: One of several, all at the same place, of which the first that is not met is told: how it is called there.
+    part: str = ""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -194,12 +198,12 @@ class _Reader(MatrixReader):
         programs = tuple(found.each(parts.get("programs"), "programs", lambda each: _program(each, self.folder)))
         duration = found.of(lambda: float(parts["duration"].number("duration", above=0)), 1.0)
         lockstep = found.of(lambda: read_lockstep(parts["lockstep"], "programs" in parts), None) if "lockstep" in parts else None
-        expected = found.each(parts["expect"], "expect", lambda each: read_expectation(each, self.folder))
+        expected = found.each(parts["expect"], "expect", lambda each: read_expectations(each, self.folder))
         publications = found.each(parts.get("publish"), "publish", lambda each: _message(each, self.folder))
         requests = found.each(parts.get("request"), "request", lambda each: _request(each, self.folder))
         systems = found.each(parts.get("systems"), "systems", _system)
         faults = found.of(lambda: read_faults(parts.get("faults")), Faults())
-        keep = found.of(lambda: _keep(parts.get("keep")), ())
+        keep: tuple[str, ...] = found.of(lambda: _keep(parts.get("keep")), KEEP)
         found.check()
         # a controller is made for a robot in real time, unless the world waits for it
         usual = 1.0 if programs and lockstep is None else 0.0
@@ -210,7 +214,7 @@ class _Reader(MatrixReader):
             text=worlds.put(text, targets, run.parameters) if text is not None else None,
             duration=duration, wall=float(limits["wall"].number("limits.wall", above=0)) if "wall" in limits else wall,
             speed=speed, systems=tuple(systems), publications=(*publications, *requests), programs=programs, faults=faults,
-            lockstep=lockstep, expected=tuple(expected), keep=keep)
+            lockstep=lockstep, expected=tuple(each for made in expected for each in made), keep=keep)
 
 
 def _filled(node: Node, parameters: Mapping[str, Any]) -> Node:
@@ -252,8 +256,37 @@ def _with_fields(signal: Spec, node: Node, what: str, folder: pathlib.Path) -> S
     return {**signal, "criteria": criteria}
 
 
+def read_expectations(node: Node, folder: pathlib.Path) -> list[Expected]:
+    """Reads an entry of `expect`: one expectation, or one for each thing of a recorded run."""
+    if isinstance(node.value, dict) and "recorded" in node.value:
+        return _recorded_run(node, folder)
+    return [read_expectation(node, folder)]
+
+
+def _recorded_run(node: Node, folder: pathlib.Path) -> list[Expected]:
+    """Reads `{recorded: good, tolerance: 0.01}`: everything is where it was in a recorded run."""
+    parts = node.mapping("a comparison with a recorded run", ["name", "recorded", "tolerance", "of", *WINDOW])
+    for key in ("within", "at", "for", "until"):
+        if key in parts:
+            parts[key].fail(f"'{key}' does not go with a recorded run", "write during: [1, 3]")
+    window: Spec = {"after": _event(parts["after"], "'after'", folder)} if "after" in parts else {}
+    _read_window(parts, "always", window)
+    name = parts["name"].text("name") if "name" in parts else ""
+    made = []
+    for part in recorded_parts(parts, node, folder):
+        # as far as the recorded run goes; with 'after', nobody knows when it begins
+        times = {} if "after" in window else {"from": max(window.get("from", 0.0), part.begin),
+                                              "to": min(window.get("to", math.inf), part.end)}
+        if (part.is_cut and not times) or (times and times["to"] < times["from"]):
+            continue
+        made.append(Expected({"mode": "always", "events": [part.event], **window, **times}, node.at, name, part.name))
+    if not made:
+        parts.get("during", node).fail("the recorded run has nothing at that time")
+    return made
+
+
 def read_expectation(node: Node, folder: pathlib.Path) -> Expected:
-    """Reads an entry of `expect`."""
+    """Reads an expectation."""
     parts = node.mapping("an expectation", ["name", *SIGNALS, *MODES, *WINDOW])
     modes = [key for key in MODES if key in parts]
     if len(modes) != 1:
