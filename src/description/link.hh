@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "description/added_mass.hh"
 #include "description/geometry.hh"
 #include "description/heat.hh"
 #include "description/light.hh"
@@ -24,6 +25,8 @@ struct Inertial {
   Pose X_LinkCom;
   /// Inertia tensor about the centre of mass [kg m^2].
   Matrix3 moments = Matrix3::Identity();
+  /// `<fluid_added_mass>`; unset for a static link.
+  std::optional<AddedMass> addedMass = std::nullopt;
   bool operator==(const Inertial&) const = default;
 };
 

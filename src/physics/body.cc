@@ -90,6 +90,10 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
   rigid_.setCollisionFlags(flags);
   if (!moves_) return;
 
+  if (const auto& added = description.inertial.addedMass) {
+    rigid_.setSpatialInertia({*added, X_LinkBody_});
+    rigid_.spatialInertia()->setMass(mass.mass, mass.moments);
+  }
   // nothing sleeps
   rigid_.setActivationState(DISABLE_DEACTIVATION);
   rigid_.setDamping(description.linearDamping, description.angularDamping);
@@ -102,6 +106,11 @@ void Body::setLink(world::Slot link) {
   rigid_.setUserIndex(static_cast<int>(link));
 }
 
+bool Body::canHave(const Mass& mass) const {
+  const SpatialInertia* inertia = rigid_.spatialInertia();
+  return inertia == nullptr || inertia->isPossibleWith(mass.mass, fromBullet(momentsOfFile_ * mass.inertiaFactor));
+}
+
 void Body::setMass(const Mass& mass) {
   mass_ = mass;
   moments_ = mass.inertiaFactor == 1 ? momentsOfFile_ : momentsOfFile_ * mass.inertiaFactor;
@@ -110,6 +119,7 @@ void Body::setMass(const Mass& mass) {
   // Bullet keeps the weight
   rigid_.setGravity(rigid_.getGravity());
   rigid_.updateInertiaTensor();
+  if (rigid_.spatialInertia() != nullptr) rigid_.spatialInertia()->setMass(mass.mass, fromBullet(moments_));
 }
 
 void Body::setGravity(const Vector3& gravity) {
@@ -126,6 +136,13 @@ void Body::setPose(const Pose& X_WorldLink) {
 void Body::addForces(double dt, bool isHeld) {
   rigid_.applyGravity();
   btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
+  if (SpatialInertia* const inertia = rigid_.spatialInertia()) {
+    const auto [force, torque] =
+        inertia->advance(basis, rigid_.getLinearVelocity(), rigid_.getAngularVelocity(), dt, isHeld);
+    rigid_.applyCentralForce(force);
+    rigid_.applyTorque(torque);
+    return;
+  }
   std::optional<Gyration> gyroscopic;
   if (!isRound_) gyroscopic = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
   if (!gyroscopic) {
@@ -176,6 +193,7 @@ void Body::transfer(StateArchive& archive) {
     archive(mass.inertiaFactor);
     archive.check(mass.mass >= description::kLeastMass && mass.mass <= description::kLargestMass &&
                   mass.inertiaFactor >= description::kLeastMass && mass.inertiaFactor <= description::kLargestMass);
+    archive.check(canHave(mass));
   }
   if (!archive.isGiving()) return;
   if (mass.mass != mass_.mass || mass.inertiaFactor != mass_.inertiaFactor) setMass(mass);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include "physics/mass.hh"
+#include "physics/rigid_body.hh"
 #include "physics/shapes/shape.hh"
 #include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
@@ -44,7 +43,9 @@ class Body {
     double inertiaFactor = 1;
   };
   const Mass& mass() const { return mass_; }
-  /// The centre of mass and the principal axes stay. Both numbers must be positive.
+  /// @return False where its added mass does not allow this mass: there are motions whose inertia would be negative.
+  bool canHave(const Mass& mass) const;
+  /// The centre of mass and the principal axes stay. Both numbers must be positive, and possible.
   void setMass(const Mass& mass);
 
   /// @param gravity World frame [m/s^2]; has no effect on a link with gravity switched off.
@@ -93,7 +94,7 @@ class Body {
   /// Whether the link frame's origin is the centre of mass.
   bool isCentred_;
   LinkShape shape_;
-  btRigidBody rigid_;
+  RigidBody rigid_;
 };
 
 }  // namespace pongsim::physics

@@ -140,6 +140,10 @@ Engine::Mass Engine::mass(world::Slot link) const {
   return {mass.mass, mass.inertiaFactor};
 }
 
+bool Engine::canHave(world::Slot link, const Mass& mass) const {
+  return parts_->bodies[link]->canHave({mass.mass, mass.inertiaFactor});
+}
+
 void Engine::setMass(world::Slot link, const Mass& mass) {
   parts_->bodies[link]->setMass({mass.mass, mass.inertiaFactor});
   parts_->stepper.forgetRest();

@@ -134,6 +134,8 @@ class Engine {
   /// @return Mass zero if the link does not move.
   Mass mass(world::Slot link) const;
   /// Changes the mass of a moving link; its centre of mass and principal axes stay. The numbers must be positive.
+  /// @return Whether the link can have it, with its added mass.
+  bool canHave(world::Slot link, const Mass& mass) const;
   void setMass(world::Slot link, const Mass& mass);
 
   /// Friction coefficients along both friction directions, and restitution.

@@ -124,6 +124,15 @@ TEST_P(EngineState, OfAGearTrainLeadsToTheSameBits) {
   expectSameFuture(gearTrain(), GetParam(), [](Engine& engine) { engine.setJointVelocityTarget(0, 3); });
 }
 
+TEST_P(EngineState, OfBodiesWithAddedMassLeadsToTheSameBits) {
+  description::World world = heap();
+  for (std::size_t i = 2; i < world.models.size(); i += 2) {
+    world.models[i].links[0].inertial.addedMass = Eigen::Matrix<double, 6, 1>(1, 2, 3, 0.1, 0, 0.2).asDiagonal();
+  }
+  // the mass is restored, and with it the whole inertia
+  expectSameFuture(world, GetParam(), [](Engine& engine) { engine.setMass(2, {2, 3}); });
+}
+
 TEST_P(EngineState, OfALoadedBeltLeadsToTheSameBits) {
   expectSameFuture(loadedBelt(), GetParam(), [](Engine& engine) {
     engine.setSurfaceMotion(0, 0, SurfaceMotion{.speed = 0.5, .center = Vector3(0, 2, 0)});

@@ -44,12 +44,47 @@ void GaussSeidel::solve(std::span<btRigidBody* const> bodies, std::span<btPersis
 void GaussSeidel::takeBodies(std::span<btRigidBody* const> bodies) {
   const btVector3 none(0, 0, 0);
   bodies_.assign(1, {nullptr, 0, none, none, none, none});
+  isGeneral_ = false;
   for (btRigidBody* body : bodies) {
     assert(body->getInvMass() > 0 && std::isfinite(body->getInvMass()));
     body->setCompanionId(static_cast<int>(bodies_.size()));
     bodies_.push_back({body, body->getInvMass(), body->getTotalForce() * body->getInvMass() * dt_,
                        body->getTotalTorque() * body->getInvInertiaTensorWorld() * dt_, none, none});
+    Body& own = bodies_.back();
+    own.inertia = spatialInertiaOf(*body);
+    if (own.inertia == nullptr) continue;
+    isGeneral_ = true;
+    const Motion change = responseOf(bodies_.size() - 1, body->getTotalForce() * dt_, body->getTotalTorque() * dt_);
+    own.forceChange = change.linear;
+    own.torqueChange = change.angular;
   }
+}
+
+/// @return M^-1 J^T, of any body.
+GaussSeidel::Motion GaussSeidel::responseOf(std::size_t number, const btVector3& linear,
+                                            const btVector3& angular) const {
+  const Body& body = bodies_[number];
+  if (body.body == nullptr) return {btVector3(0, 0, 0), btVector3(0, 0, 0)};
+  if (body.inertia == nullptr) {
+    return {linear * body.inverseMass, body.body->getInvInertiaTensorWorld() * angular};
+  }
+  const SpatialInertia::Motion d = body.inertia->respond(linear, angular);
+  return {{d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
+}
+
+/// @return J M^-1 J^T, whatever bodies there are.
+double GaussSeidel::inverseMassOf(const Row& row) const {
+  const Motion a = responseOf(row.a, row.linear, row.angularA.jacobian);
+  const Motion b = responseOf(row.b, -row.linear, row.angularB.jacobian);
+  return row.linear.dot(a.linear - b.linear) + row.angularA.jacobian.dot(a.angular) +
+         row.angularB.jacobian.dot(b.angular);
+}
+
+void GaussSeidel::applyGenerally(std::size_t number, const btVector3& linear, const btVector3& angular,
+                                 double impulse) {
+  const Motion change = responseOf(number, linear, angular);
+  bodies_[number].linearChange += change.linear * impulse;
+  bodies_[number].angularChange += change.angular * impulse;
 }
 
 std::size_t GaussSeidel::numberOf(const btRigidBody& body) const {
@@ -75,10 +110,13 @@ void GaussSeidel::addJoint(Joint& joint) {
     inverseMass += row.angularA.response.dot(row.angularA.jacobian);
     inverseMass += (row.linear * child.getInvMass()).dot(row.linear);
     inverseMass += row.angularB.response.dot(row.angularB.jacobian);
+    if (isGeneral_) inverseMass = inverseMassOf(row);
     double velocity = velocityAlong(row, true);
     if (reference != nullptr) {
       const ThirdBody third{jointRows_.size(), numberOf(*reference), angular(*reference, content.referenceAngular)};
-      inverseMass += third.angular.response.dot(third.angular.jacobian);
+      inverseMass += third.angular.jacobian.dot(
+          isGeneral_ ? responseOf(third.body, btVector3(0, 0, 0), third.angular.jacobian).angular
+                     : third.angular.response);
       velocity += third.angular.jacobian.dot(reference->getAngularVelocity() + bodies_[third.body].torqueChange);
       thirdBodies_.push_back(third);
     }
@@ -119,7 +157,7 @@ GaussSeidel::Row GaussSeidel::makeRow(const SolverContact& contact, const btVect
     row.angularB = {jacobian, contact.b.getInvInertiaTensorWorld() * jacobian};
     inverseMassB = contact.b.getInvMass() + direction.dot((-row.angularB.response).cross(contact.armB));
   }
-  row.effectiveMass = 1 / (inverseMassA + inverseMassB + compliance);
+  row.effectiveMass = 1 / ((isGeneral_ ? inverseMassOf(row) : inverseMassA + inverseMassB) + compliance);
   return row;
 }
 
@@ -181,7 +219,8 @@ void GaussSeidel::addTorsion(const SolverContact& contact) {
                    {-normal, contact.b.getInvInertiaTensorWorld() * -normal}},
                   contact.friction.torsion,
                   normals_.size() - 1};
-  const double inverseInertia = row.angularA.response.dot(normal) + row.angularB.response.dot(-normal);
+  const double inverseInertia =
+      isGeneral_ ? inverseMassOf(row) : row.angularA.response.dot(normal) + row.angularB.response.dot(-normal);
   row.effectiveMass = inverseInertia > 0 ? 1 / inverseInertia : 0;
   row.rhs = -velocityAlong(row, true) * row.effectiveMass;
   addSlip(row, contact.friction.torsionSlip);
@@ -210,7 +249,12 @@ bool GaussSeidel::sweep() {
     Body& body = bodies_[third->body];
     const double before = jointRows_[i].impulse;
     hasChanged |= improve(jointRows_[i], third->angular.jacobian.dot(body.angularChange));
-    body.angularChange += third->angular.response * (jointRows_[i].impulse - before);
+    const double change = jointRows_[i].impulse - before;
+    if (isGeneral_) {
+      applyGenerally(third->body, btVector3(0, 0, 0), third->angular.jacobian, change);
+    } else {
+      body.angularChange += third->angular.response * change;
+    }
     ++third;
   }
   for (Row& row : normals_) hasChanged |= improve(row);
@@ -246,6 +290,11 @@ bool GaussSeidel::improve(Row& row, double ofThirdBody) {
 }
 
 void GaussSeidel::apply(const Row& row, double impulse) {
+  if (isGeneral_) {
+    applyGenerally(row.a, row.linear, row.angularA.jacobian, impulse);
+    applyGenerally(row.b, -row.linear, row.angularB.jacobian, impulse);
+    return;
+  }
   Body &a = bodies_[row.a], &b = bodies_[row.b];
   a.linearChange += row.linear * a.inverseMass * impulse;
   a.angularChange += row.angularA.response * impulse;

@@ -8,6 +8,7 @@
 
 #include "physics/contacts/contact_point.hh"
 #include "physics/joint.hh"
+#include "physics/rigid_body.hh"
 #include "physics/settings.hh"
 
 class btPersistentManifold;
@@ -43,6 +44,12 @@ class GaussSeidel {
     btVector3 torqueChange;
     btVector3 linearChange;
     btVector3 angularChange;
+    /// Replaces mass and moments, where not null.
+    const SpatialInertia* inertia = nullptr;
+  };
+  struct Motion {
+    btVector3 linear;
+    btVector3 angular;
   };
   /// J of a body's angular velocity, and how a unit impulse of the row changes that: I^-1 J^T.
   struct Angular {
@@ -94,6 +101,9 @@ class GaussSeidel {
   /// @return The velocity along the row at the end of the step, if no row had an impulse.
   double velocityAlong(const Row& row, bool withTorques) const;
   void addSlip(Row& row, double slip) const;
+  double inverseMassOf(const Row& row) const;
+  Motion responseOf(std::size_t number, const btVector3& linear, const btVector3& angular) const;
+  void applyGenerally(std::size_t number, const btVector3& linear, const btVector3& angular, double impulse);
 
   bool sweep();
   bool improve(Row& row, double ofThirdBody = 0);
@@ -105,6 +115,8 @@ class GaussSeidel {
   double dt_ = 0;
   /// The first one stands for all that do not move.
   std::vector<Body> bodies_;
+  /// Whether any of them has a spatial inertia.
+  bool isGeneral_ = false;
   std::vector<Row> jointRows_;
   std::vector<ThirdBody> thirdBodies_;
   std::vector<MeasuredJoint> measured_;

@@ -126,8 +126,19 @@ void IslandRows::takeBodies(std::span<btRigidBody* const> bodies) {
                        {},
                        {},
                        {Two{I[0].x(), I[1].x()}, Two{I[0].y(), I[1].y()}, Two{I[0].z(), I[1].z()}},
+                       spatialInertiaOf(body),
                        -1});
+    if (bodies_.back().inertia != nullptr) bodies_.back().velocity = velocityUnderForces(bodies_.back());
   }
+}
+
+/// @return The velocity of a body with a spatial inertia, with the external forces of this step.
+std::array<double, 6> IslandRows::velocityUnderForces(const Body& body) const {
+  const btRigidBody& rigid = *body.body;
+  const btVector3 &v = rigid.getLinearVelocity(), &w = rigid.getAngularVelocity();
+  std::array<double, 6> velocity{v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
+  addTimes(velocity, body.inertia->respond(rigid.getTotalForce(), rigid.getTotalTorque()), dt_);
+  return velocity;
 }
 
 /// Adds an end of the last row.
@@ -155,6 +166,7 @@ double IslandRows::addEnd(const btRigidBody& body, const btVector3& linear, cons
   response[0] = first * inverseMass;
   response[1] = Two{linear.z() * inverseMass, turn[0]};
   response[2] = Two{turn[1], lastTurn};
+  if (own.inertia != nullptr) end.response = own.inertia->respond(linear, angular);
   const auto& v = own.velocity;
   if (!isFriction_) {
     const Two* const velocity = reinterpret_cast<const Two*>(v.data());
@@ -228,11 +240,18 @@ void IslandRows::addBlocks(const Joint& joint, std::span<const JointRow> content
 BlockRows::RowValues IslandRows::respond(BlockRows::End& end) const {
   const Body& body = bodies_[static_cast<std::size_t>(end.body)];
   const btMatrix3x3& I = body.body->getInvInertiaTensorWorld();
-  return BlockRows::respond(
-      end,
-      {body.body->getInvMass(),
-       {I[0].x(), I[0].y(), I[0].z(), I[1].x(), I[1].y(), I[1].z(), I[2].x(), I[2].y(), I[2].z()}},
-      body.velocity);
+  const BlockRows::RowValues along =
+      BlockRows::respond(end,
+                         {body.body->getInvMass(),
+                          {I[0].x(), I[0].y(), I[0].z(), I[1].x(), I[1].y(), I[1].z(), I[2].x(), I[2].y(), I[2].z()}},
+                         body.velocity);
+  if (body.inertia == nullptr) return along;
+  const auto& J = end.jacobian;
+  for (std::size_t row = 0; row < BlockRows::kMostRows; ++row) {
+    const auto response = body.inertia->respond({J[0][row], J[1][row], J[2][row]}, {J[3][row], J[4][row], J[5][row]});
+    for (std::size_t c = 0; c < response.size(); ++c) end.response[c][row] = response[c];
+  }
+  return along;
 }
 
 btVector3 IslandRows::velocityAt(const btRigidBody& body, const btVector3& arm) const {

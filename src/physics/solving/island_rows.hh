@@ -12,6 +12,7 @@
 #include "physics/lcp/block_matrix.hh"
 #include "physics/lcp/elimination.hh"
 #include "physics/lcp/joint_order.hh"
+#include "physics/rigid_body.hh"
 #include "physics/settings.hh"
 #include "physics/solving/block_rows.hh"
 #include "physics/solving/row_ends.hh"
@@ -96,6 +97,8 @@ class IslandRows {
     std::array<double, 6> push;
     /// The first two rows of its inverse inertia in the world frame, column by column.
     Two inverseMoments[3];
+    /// Replaces these and the mass, where not null.
+    const SpatialInertia* inertia;
     /// The last end of a row at it, -1 for none.
     int lastEnd;
   };
@@ -109,6 +112,7 @@ class IslandRows {
   std::span<RowEnd> ends() { return {ends_.data(), endCount_}; }
   int numberOf(const btRigidBody& body) const;
   void takeBodies(std::span<btRigidBody* const> bodies);
+  std::array<double, 6> velocityUnderForces(const Body& body) const;
   void addJoint(Joint& joint);
   double addJointEnds(const Joint& joint, const JointRow& content);
   void addBlocks(const Joint& joint, std::span<const JointRow> content, std::span<Row> rows);

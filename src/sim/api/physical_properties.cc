@@ -45,6 +45,9 @@ Outcome<void> PhysicalProperties::setMass(const Link& link, double mass, double 
   if (auto checked = checkRange("the inertia's factor of " + name, inertiaFactor, kLeastMass, kLargestMass); !checked) {
     return checked;
   }
+  if (!access_->engine.canHave(slot, {mass, inertiaFactor})) {
+    return {"with this mass and inertia, " + name + " and its fluid_added_mass have no positive definite inertia"};
+  }
   access_->engine.setMass(slot, {mass, inertiaFactor});
   return {};
 }

@@ -56,6 +56,22 @@ TEST_F(PhysicalPropertiesTest, AMassActsAndIsTold) {
   EXPECT_NEAR(box().angularVelocity().z(), 0.001, 1e-12);
 }
 
+TEST_F(PhysicalPropertiesTest, AMassMustSuitTheAddedMass) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      "<sdf version='1.10'><world name='w'><model name='m'><link name='l'><inertial><mass>2</mass><fluid_added_mass>"
+      "<xx>-1</xx></fluid_added_mass></inertial></link></model></world></sdf>",
+      "world.sdf", {.loadSystems = false}, diagnostics);
+  const Link link = simulation->world().model("m")->link("l").value();
+  PhysicalProperties properties(simulation->world());
+  const Outcome<void> refused = properties.setMass(link, 1, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error,
+            "with this mass and inertia, link 'm::l' and its fluid_added_mass have no positive definite inertia");
+  EXPECT_EQ(link.mass().mass, 2);
+  EXPECT_TRUE(properties.setMass(link, 1.5, 1));
+}
+
 TEST_F(PhysicalPropertiesTest, FrictionActsOnContactsThatAreThere) {
   simulation_->step(50);
   ASSERT_TRUE(properties().setSurface(skin(), {0, 0, 0}));

@@ -46,6 +46,11 @@ std::optional<AutoInertia> readAutoInertia(const Element& link, const std::strin
     context.diagnostics.warning(replaced->position, "the <" + std::string(name) + "> of the inertia of " + owner +
                                                         " is ignored: auto=\"true\" computes it");
   }
+  if (const Element* added = element->child("fluid_added_mass")) {
+    context.diagnostics.warning(
+        added->position,
+        "the <fluid_added_mass> of " + owner + " is ignored, as in Gazebo: an inertia with auto=\"true\" has none");
+  }
   AutoInertia automatic{.mass = std::nullopt, .density = density, .position = element->position};
   if (element->child("mass") != nullptr) automatic.mass = readPositive(*element, "mass", 1, context);
   return automatic;

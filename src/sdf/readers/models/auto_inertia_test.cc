@@ -49,6 +49,13 @@ TEST(AutoInertia, PlacesCollisionsInTheFramesThatTheyName) {
   EXPECT_LT((inertialOf(loaded).moments.diagonal() - 500 * Vector3(13, 5, 10)).norm(), 1e-9);
 }
 
+TEST(AutoInertia, HasNoAddedMass) {
+  const Loaded loaded = loadAutomatic("<fluid_added_mass><xx>1</xx></fluid_added_mass>", boxCollision("c"));
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:4:23: warning: the <fluid_added_mass> of link 'l' of model 'm' is "
+                                      "ignored, as in Gazebo: an inertia with auto=\"true\" has none"});
+  EXPECT_FALSE(inertialOf(loaded).addedMass);
+}
+
 TEST(AutoInertia, IgnoresAGivenInertia) {
   const Loaded loaded = loadAutomatic("<pose>1 0 0 0 0 0</pose><inertia><ixx>7</ixx></inertia>", boxCollision("c"));
   EXPECT_EQ(loaded.messages, (Messages{"t.sdf:4:23: warning: the <pose> of the inertia of link 'l' of model 'm' is "

@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "sdf/text/values.hh"
 
@@ -51,6 +53,54 @@ Matrix3 readMoments(const Element& inertia, Context& context) {
   return moments;
 }
 
+// rows and columns of <fluid_added_mass>
+constexpr std::string_view kDirections = "xyzpqr";
+
+/// Reads the added mass of an inertia without one. What no body can have is left out.
+void readAddedMass(const Element& element, const std::string& owner, description::Inertial& inertial,
+                   Context& context) {
+  description::AddedMass added;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      const std::string name = {kDirections[static_cast<std::size_t>(row)],
+                                kDirections[static_cast<std::size_t>(column)]};
+      added(row, column) = added(column, row) = readNumber(element, name, 0, context);
+    }
+  }
+  if (added.isZero(0)) return;
+  if (added.cwiseAbs().maxCoeff() <= kLargestMass &&
+      description::isPossible(added, inertial.mass, inertial.X_LinkCom, inertial.moments)) {
+    inertial.addedMass = added;
+    return;
+  }
+  context.diagnostics.warning(element.position, "the <fluid_added_mass> of " + owner + " is left out",
+                              "with mass and inertia, its matrix must be positive definite, and no element be beyond "
+                              "1e30");
+}
+
+/// Reads `<inertia>` into it.
+void readInertia(const Element& inertia, const std::string& owner, bool isStatic, description::Inertial& inertial,
+                 Context& context) {
+  inertial.moments = readMoments(inertia, context);
+  if (isStatic) return;
+  // scaled by the largest moment, so that the tolerance is relative and nothing overflows
+  const double largest = inertial.moments.cwiseAbs().maxCoeff();
+  const Matrix3 scaled = largest > 0 ? Matrix3(inertial.moments / largest) : inertial.moments;
+  const bool isPoint = largest == 0;
+  if (!isPositiveDefinite(scaled)) {
+    if (!raiseZeroMoments(inertial)) {
+      context.diagnostics.error(inertia.position, "the inertia of " + owner + " is not positive definite",
+                                "ixx, iyy and izz must be above zero, and ixy, ixz and iyz small enough");
+    } else if (isPoint) {
+      context.diagnostics.warning(inertia.position,
+                                  "the inertia of " + owner + " is zero: that of a body of 1 mm is used");
+    }
+  } else if (!fulfilsTriangleInequality(scaled)) {
+    context.diagnostics.warning(inertia.position, "the inertia of " + owner + " is impossible",
+                                "no principal moment can exceed the sum of the other two");
+  }
+}
+
 }  // namespace
 
 description::Inertial readInertial(const Element& link, const std::string& owner, bool isStatic, Context& context) {
@@ -66,26 +116,9 @@ description::Inertial readInertial(const Element& link, const std::string& owner
 
   inertial.X_LinkCom = readPose(*element, context).value;
 
-  const Element* inertia = element->child("inertia");
-  if (inertia == nullptr) return inertial;
-  inertial.moments = readMoments(*inertia, context);
-  if (isStatic) return inertial;
-  // scaled by the largest moment, so that the tolerance is relative and nothing overflows
-  const double largest = inertial.moments.cwiseAbs().maxCoeff();
-  const Matrix3 scaled = largest > 0 ? Matrix3(inertial.moments / largest) : inertial.moments;
-  const bool isPoint = largest == 0;
-  if (!isPositiveDefinite(scaled)) {
-    if (!raiseZeroMoments(inertial)) {
-      context.diagnostics.error(inertia->position, "the inertia of " + owner + " is not positive definite",
-                                "ixx, iyy and izz must be above zero, and ixy, ixz and iyz small enough");
-    } else if (isPoint) {
-      context.diagnostics.warning(inertia->position,
-                                  "the inertia of " + owner + " is zero: that of a body of 1 mm is used");
-    }
-  } else if (!fulfilsTriangleInequality(scaled)) {
-    context.diagnostics.warning(inertia->position, "the inertia of " + owner + " is impossible",
-                                "no principal moment can exceed the sum of the other two");
-  }
+  if (const Element* inertia = element->child("inertia")) readInertia(*inertia, owner, isStatic, inertial, context);
+  const Element* added = element->child("fluid_added_mass");
+  if (added != nullptr && !isStatic) readAddedMass(*added, owner, inertial, context);
   return inertial;
 }
 

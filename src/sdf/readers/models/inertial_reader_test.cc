@@ -24,6 +24,41 @@ TEST(Inertial, IsReadInFull) {
   EXPECT_EQ(inertial.moments, expected);
 }
 
+std::string addedMass(const std::string& elements) {
+  return "<inertial><mass>2</mass>\n<fluid_added_mass>" + elements + "</fluid_added_mass></inertial>";
+}
+
+TEST(Inertial, HasTheAddedMassOfAFluid) {
+  const Loaded loaded = loadLink(
+      addedMass("<xx>11</xx><xy>0.12</xy><xz>0.13</xz><xp>0.14</xp><xq>0.15</xq><xr>0.16</xr><yy>22</yy><yz>0.23</yz>"
+                "<yp>0.24</yp><yq>0.25</yq><yr>0.26</yr><zz>33</zz><zp>0.34</zp><zq>0.35</zq><zr>0.36</zr><pp>44</pp>"
+                "<pq>0.45</pq><pr>0.46</pr><qq>55</qq><qr>0.56</qr><rr>66</rr>"));
+  EXPECT_EQ(loaded.messages, Messages());
+  const auto& added = loaded.model().links.at(0).inertial.addedMass;
+  ASSERT_TRUE(added);
+  for (int row = 0; row < 6; ++row) {
+    EXPECT_EQ((*added)(row, row), 11 * (row + 1));
+    for (int column = row + 1; column < 6; ++column) {
+      EXPECT_DOUBLE_EQ((*added)(row, column), (row + 1) * 0.1 + (column + 1) * 0.01) << row << ' ' << column;
+      EXPECT_EQ((*added)(row, column), (*added)(column, row));
+    }
+  }
+  EXPECT_FALSE(loadLink("<inertial/>").model().links.at(0).inertial.addedMass);
+}
+
+TEST(Inertial, LeavesOutAnAddedMassThatNoBodyCanHave) {
+  const Messages refused{
+      "t.sdf:5:1: warning: the <fluid_added_mass> of link 'l' of model 'm' is left out | with mass and inertia, its "
+      "matrix must be positive definite, and no element be beyond 1e30"};
+  for (const char* bad : {"<xx>-2</xx>", "<xy>2</xy>", "<qq>-1</qq>", "<zz>1e31</zz>"}) {
+    const Loaded loaded = loadLink(addedMass(bad));
+    EXPECT_EQ(loaded.messages, refused) << bad;
+    EXPECT_FALSE(loaded.model().links.at(0).inertial.addedMass) << bad;
+  }
+  // together with the mass of 2 kg it is positive
+  EXPECT_TRUE(loadLink(addedMass("<xx>-1.9</xx>")).model().links.at(0).inertial.addedMass);
+}
+
 TEST(Inertial, IsAUnitWhereThereIsNone) {
   const Loaded loaded = loadLink("");
   const description::Inertial& inertial = loaded.model().links.at(0).inertial;

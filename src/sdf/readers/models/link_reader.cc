@@ -93,14 +93,6 @@ description::Collision readCollision(const Element& element, const std::string& 
   return collision;
 }
 
-void warnOfAddedMass(const Element& link, Context& context) {
-  const Element* inertial = link.child("inertial");
-  const Element* added = inertial != nullptr ? inertial->child("fluid_added_mass") : nullptr;
-  if (added == nullptr || !context.firstTime("fluid_added_mass")) return;
-  context.unsimulated.warning(added->position, "<fluid_added_mass> is not simulated yet: it is left out",
-                              "the system hydrodynamics has added mass");
-}
-
 }  // namespace
 
 LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context) {
@@ -112,7 +104,6 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
   const std::string label = partLabel(element, link.name, owner);
   std::optional<AutoInertia> automatic = readAutoInertia(element, label, context);
   if (!automatic) link.inertial = readInertial(element, label, isStatic, context);
-  warnOfAddedMass(element, context);
   // a static link has no use for it
   if (!isStatic) draft.autoInertia = std::move(automatic);
   link.gravity = readFlag(element, "gravity", link.gravity, context);

@@ -115,14 +115,6 @@ TEST(Link, HasPartsOfDifferentNames) {
                "the first one is in line 4"});
 }
 
-TEST(Link, WarnsOfAddedMass) {
-  EXPECT_EQ(
-      loadModel("<link name='l'><inertial>\n<fluid_added_mass><xx>1</xx></fluid_added_mass></inertial></link>", "1.10")
-          .messages,
-      Messages{"t.sdf:4:1: warning: <fluid_added_mass> is not simulated yet: it is left out | the system "
-               "hydrodynamics has added mass"});
-}
-
 TEST(Link, HasLights) {
   const Loaded loaded = loadModel(
       "<frame name='f'><pose>5 0 0 0 0 0</pose></frame><link name='l'><pose>1 0 0 0 0 0</pose>"
