@@ -24,7 +24,8 @@ bool takeIfReasonable(std::span<const double> x, std::span<const int> places, st
 }  // namespace
 
 bool DirectSolver::solve(std::span<btRigidBody* const> bodies, std::span<btPersistentManifold* const> manifolds,
-                         std::span<Joint* const> joints, double dt) {
+                         std::span<Joint* const> joints, double dt, int times) {
+  mostRows_ = times * mostOfSettings_;
   const std::span<const JointBodies> jointBodies = rows_.begin(bodies, joints, dt);
   const JointOrder* const order = orderOfTree(jointBodies);
   rows_.collect(manifolds, joints, order != nullptr);

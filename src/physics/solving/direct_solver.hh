@@ -17,13 +17,14 @@ class DirectSolver {
  public:
   /// Islands with more rows than `settings.mostDirectRows` are solved only if most of them are equations of trees: with
   /// no more bounded rows than that, and no more work per row than in an island of that many rows.
-  explicit DirectSolver(const Settings& settings) : mostRows_(settings.mostDirectRows), rows_(settings) {}
+  explicit DirectSolver(const Settings& settings) : mostOfSettings_(settings.mostDirectRows), rows_(settings) {}
 
   /// Gives the bodies their velocities at the end of the step of `dt` [s], corrects penetration, and writes the
   /// impulses to the contact points and to measured joints.
+  /// @param times How many times as many rows it may have as the settings say.
   /// @return False if there is no reasonable solution; then only friction directions have changed.
   bool solve(std::span<btRigidBody* const> bodies, std::span<btPersistentManifold* const> manifolds,
-             std::span<Joint* const> joints, double dt);
+             std::span<Joint* const> joints, double dt, int times = 1);
 
  private:
   const JointOrder* orderOfTree(std::span<const JointBodies> joints);
@@ -33,7 +34,9 @@ class DirectSolver {
   void setBounds(int skipped);
   bool solveSides(auto& lcp, const auto& problem);
 
-  const int mostRows_;
+  const int mostOfSettings_;
+  /// Of this island.
+  int mostRows_ = 0;
   IslandRows rows_;
   /// The place of each row in the problem: equations before bounded rows. Of a tree, first the numbers of bounded rows,
   /// then the place of all in x.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "support/physics/rig.hh"
 
 namespace pongsim::physics {
@@ -39,6 +41,38 @@ TEST(IslandSolver, KeepsFiftyBoxesStandingThoughTheyAreIterated) {
   const Pose& X_WorldTop = rig.link("box49::link").X_WorldLink;
   EXPECT_LT(X_WorldTop.position.head<2>().norm(), 0.01);
   EXPECT_NEAR(X_WorldTop.position.z(), 9.9, 0.01);
+}
+
+// as robots of SubT are: fourteen feet of four points each, which start in the ground, and half a kilogram on a bracket
+// of ten milligrams, which another one carries
+description::World loadOnLightBrackets() {
+  description::Link base = test::makeLink("base", {0, 0, 0.09}, 20, {1, 1, 1});
+  for (int i = 0; i < 14; ++i) {
+    test::addCollision(base, description::Box{{0.1, 0.1, 0.2}});
+    base.collisions.back().name += std::to_string(i);
+    base.collisions.back().X_LinkCollision.position = {0.2 * (i % 7), 0.4 * (i / 7), 0};
+  }
+  description::Model model =
+      test::makeModel("robot", {base, test::makeLink("bracket", {0.3, 0.2, 0.3}, 1e-5, {1e-8, 1e-8, 1e-8}),
+                                test::makeLink("holder", {0.3, 0.2, 0.35}, 1e-5, {1e-8, 1e-8, 1e-8}),
+                                test::makeLink("load", {0.5, 0.2, 0.4}, 0.5, {1e-3, 1e-3, 1e-3})});
+  using description::JointType;
+  model.joints = {test::makeJoint("a", JointType::kFixed, "base", "bracket", test::at(0.3, 0.2, 0.21), Pose()),
+                  test::makeJoint("b", JointType::kFixed, "bracket", "holder", test::at(0, 0, 0.05), Pose()),
+                  test::makeJoint("c", JointType::kFixed, "holder", "load", test::at(0.2, 0, 0.05), Pose())};
+  description::World world;
+  world.models = {test::makeGround(), model};
+  return world;
+}
+
+TEST(IslandSolver, KeepsAHeavyLoadOnLightLinks) {
+  Rig rig(loadOnLightBrackets());
+  for (int i = 0; i < 1000; ++i) {
+    rig.step();
+    ASSERT_LT(rig.link("robot::load").v_WorldLink.norm(), 0.02) << i;
+  }
+  const Vector3 offset = rig.link("robot::load").X_WorldLink.position - rig.link("robot::base").X_WorldLink.position;
+  EXPECT_LT((offset - Vector3(0.5, 0.2, 0.31)).norm(), 1e-4) << offset.transpose();
 }
 
 TEST(IslandSolver, GoesOverToIterationsWhereAnIslandIsLarge) {
