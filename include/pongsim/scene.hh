@@ -8,6 +8,7 @@
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/message.hh"
+#include "pongsim/semantics.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -61,6 +62,9 @@ class PONGSIM_API Scene {
 
   /// @return All actors, in the order of the file.
   std::vector<ActorPlace> actors() const;
+
+  /// @return What the file says that the model stands for. The model must exist.
+  const Semantics& semantics(ModelId model) const;
 
   /// @return The ids of top-level models and lights, in ascending order.
   std::vector<std::uint64_t> topLevelIds() const;

@@ -11,6 +11,7 @@
 #include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/files/urdf_source.hh"
+#include "pongsim/semantics.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::description {
@@ -57,6 +58,7 @@ struct Model {
   std::vector<Plugin> plugins;
   /// Of its visuals and nested models that have none of their own, from the system `label` in it.
   std::optional<std::uint8_t> label = {};
+  Semantics semantics = {};
   Urdf urdf;
   bool operator==(const Model&) const = default;
 };

@@ -77,10 +77,21 @@ CoreSystem thermalSensor() {
   return system;
 }
 
+CoreSystem entitySemantics() {
+  CoreSystem system{"entity-semantics", "gz::sim::systems::EntitySemantics", {}, "the <world>"};
+  system.declaration.is(
+      "Tells what models stand for, to ROS's simulation_interfaces. `<gz:semantics>` in a model has a `<category>` "
+      "(object, robot, human, dynamic_object, static_object), a `<description>` and `<tag>`s. Every world reads them, "
+      "whether it lists the system or not.",
+      Declaration::Place::kWorld);
+  return system;
+}
+
 }  // namespace
 
 const std::vector<CoreSystem>& coreSystems() {
-  static const std::vector<CoreSystem> systems{physics(), userCommands(), label(), thermal(), thermalSensor()};
+  static const std::vector<CoreSystem> systems{physics(), userCommands(),  label(),
+                                               thermal(), thermalSensor(), entitySemantics()};
   return systems;
 }
 

@@ -55,9 +55,9 @@ std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& request,
   return filter;
 }
 
-bool EntityFilter::takes(const Model& model, const EntityInfos& infos) const {
+bool EntityFilter::takes(const World& world, const Model& model, const EntityInfos& infos) const {
   if (names_ && !RE2::PartialMatch(model.scopedName(), *names_)) return false;
-  const si::EntityInfo info = infos.of(model);
+  const si::EntityInfo info = infos.of(world, model);
   if (!request_.categories.empty() &&
       std::ranges::find(request_.categories, info.category) == request_.categories.end()) {
     return false;

@@ -23,7 +23,7 @@ class EntityFilter {
   EntityFilter(EntityFilter&&) noexcept;
   ~EntityFilter();
 
-  bool takes(const Model& model, const EntityInfos& infos) const;
+  bool takes(const World& world, const Model& model, const EntityInfos& infos) const;
 
  private:
   EntityFilter();

@@ -17,7 +17,7 @@ class EntityFilterTest : public testing::Test {
     Names names;
     if (!filter) return {"error"};
     for (const Model& model : world_.simulation().world().models()) {
-      if (filter->takes(model, infos_)) names.emplace_back(model.name());
+      if (filter->takes(world_.simulation().world(), model, infos_)) names.emplace_back(model.name());
     }
     return names;
   }

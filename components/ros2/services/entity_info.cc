@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pongsim/scene.hh"
 #include "pongsim/sensing/sensor.hh"
 
 namespace pongsim::ros2 {
@@ -31,11 +32,10 @@ bool isKnown(std::uint8_t category) {
 
 }  // namespace
 
-si::EntityInfo EntityInfos::of(const Model& model) const {
+si::EntityInfo EntityInfos::of(const World& world, const Model& model) const {
   if (const auto found = set_.find(model.id().value); found != set_.end()) return found->second;
-  si::EntityInfo info;
-  info.category.category = categoryOf(model);
-  return info;
+  const Semantics& semantics = Scene(world).semantics(model.id());
+  return {{semantics.category ? *semantics.category : categoryOf(model)}, semantics.description, semantics.tags};
 }
 
 Result EntityInfos::set(const Model& model, const si::EntityInfo& info) {

@@ -14,9 +14,9 @@ namespace pongsim::ros2 {
 /// Information about entities beside their state: category, description and tags.
 class EntityInfos {
  public:
-  /// @return What was set. The default category is static object for static models, robot for models with a movable
-  /// joint or a sensor, and object for all others, without a description or tags.
-  simulation_interfaces::EntityInfo of(const Model& model) const;
+  /// @return What was set, else the model's `<gz:semantics>`. The default category is static object for static models,
+  /// robot for models with a movable joint or a sensor, and object for all others, without a description or tags.
+  simulation_interfaces::EntityInfo of(const World& world, const Model& model) const;
 
   /// @return Why it is refused (an unknown category), or success. The information stays until the model is removed or
   /// the world is reset.

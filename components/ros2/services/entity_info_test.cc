@@ -12,7 +12,8 @@ using Category = si::EntityCategory;
 
 class EntityInfoTest : public testing::Test {
  protected:
-  std::uint8_t categoryOf(const std::string& name) { return infos_.of(world_.model(name)).category.category; }
+  si::EntityInfo of(const std::string& name) { return infos_.of(world_.simulation().world(), world_.model(name)); }
+  std::uint8_t categoryOf(const std::string& name) { return of(name).category.category; }
 
   test::RunningWorld world_{std::string(
       "<model name='wall'><static>true</static><link name='l'/></model>"
@@ -22,7 +23,9 @@ class EntityInfoTest : public testing::Test {
       "<model name='eye'><model name='in'><link name='l'><sensor name='s' type='imu'/></link></model>"
       "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/></model>"
       "<model name='pair'><link name='l'/><link name='m'/><joint name='j' type='fixed'><parent>l</parent>"
-      "<child>m</child></joint></model>")};
+      "<child>m</child></joint></model>"
+      "<model name='cart'><gz:semantics><category>dynamic_object</category><description>a cart</description><tag>red"
+      "</tag><tag>low</tag></gz:semantics><link name='l'/></model>")};
   EntityInfos infos_;
 };
 
@@ -32,19 +35,27 @@ TEST_F(EntityInfoTest, SaysByItselfWhatAModelIs) {
   EXPECT_EQ(categoryOf("arm"), Category::kCategoryRobot);
   EXPECT_EQ(categoryOf("eye"), Category::kCategoryRobot);
   EXPECT_EQ(categoryOf("pair"), Category::kCategoryObject);
-  EXPECT_EQ(infos_.of(world_.model("arm")).description, "");
+  EXPECT_EQ(of("arm").description, "");
+}
+
+TEST_F(EntityInfoTest, SaysWhatTheFileSays) {
+  EXPECT_EQ(of("cart"), (si::EntityInfo{{Category::kCategoryDynamicObject}, "a cart", {"red", "low"}}));
+  EXPECT_TRUE(isOk(infos_.set(world_.model("cart"), {{Category::kCategoryHuman}, "", {}})));
+  EXPECT_EQ(of("cart").tags.size(), 0U);
+  infos_.forget();
+  EXPECT_EQ(of("cart").description, "a cart");
 }
 
 TEST_F(EntityInfoTest, KeepsWhatIsSetUntilTheModelGoesOrAllIsReset) {
   const si::EntityInfo info{{Category::kCategoryHuman}, "a walker", {"tall", "slow"}};
   EXPECT_TRUE(isOk(infos_.set(world_.model("stone"), info)));
   EXPECT_TRUE(isOk(infos_.set(world_.model("wall"), info)));
-  EXPECT_EQ(infos_.of(world_.model("stone")), info);
+  EXPECT_EQ(of("stone"), info);
 
   const Model stone = world_.model("stone");
   world_.simulation().remove(stone);
   infos_.sweep(world_.simulation().world());
-  EXPECT_EQ(infos_.of(world_.model("wall")), info);
+  EXPECT_EQ(of("wall"), info);
   infos_.forget();
   EXPECT_EQ(categoryOf("wall"), Category::kCategoryStaticObject);
 }

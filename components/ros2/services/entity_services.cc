@@ -78,7 +78,7 @@ std::optional<std::vector<Model>> EntityServices::filtered(const si::EntityFilte
   const std::optional<EntityFilter> filter = EntityFilter::from(filters, result);
   if (!filter) return std::nullopt;
   std::vector<Model> models = finder_.entities();
-  std::erase_if(models, [&](const Model& model) { return !filter->takes(model, infos_); });
+  std::erase_if(models, [&](const Model& model) { return !filter->takes(finder_.world(), model, infos_); });
   return models;
 }
 
@@ -93,7 +93,7 @@ void EntityServices::offerEntities(const ServiceNames& names) {
   offers_.addAtOnce<srv::GetEntityInfo>(names.ofSimulator("get_entity_info"), [this](const auto& request) {
     Outcome<Model> model = finder_.find(request.entity);
     if (!model) return srv::GetEntityInfo::Response{notFound(model.error), {}};
-    return srv::GetEntityInfo::Response{succeeded(), infos_.of(*model)};
+    return srv::GetEntityInfo::Response{succeeded(), infos_.of(finder_.world(), *model)};
   });
   offers_.addAtOnce<srv::SetEntityInfo>(names.ofSimulator("set_entity_info"), [this](const auto& request) {
     Outcome<Model> model = finder_.find(request.entity);

@@ -59,6 +59,10 @@ std::vector<ActorPlace> Scene::actors() const {
   return places;
 }
 
+const Semantics& Scene::semantics(ModelId model) const {
+  return access_->entities.models()[sim::slotOf(*access_, model)].description->semantics;
+}
+
 std::vector<std::uint64_t> Scene::topLevelIds() const {
   std::vector<std::uint64_t> ids;
   for (const world::Slot model : access_->entities.topLevelModels()) {
