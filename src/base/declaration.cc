@@ -221,6 +221,8 @@ bool Declaration::read(const Element& plugin, std::string_view system, Diagnosti
 void Declaration::warnOfUnknown(const Element& plugin, std::string_view system, Diagnostics& diagnostics) const {
   // without a declaration it is not known which parameters a system reads
   if (text_.empty() && parameters_.empty()) return;
+  // a parameter "*" stands for all others, which the system hands on
+  if (std::ranges::find(parameters_, "*", &Parameter::name) != parameters_.end()) return;
   for (const Element& element : plugin.children) {
     // names with a prefix, such as "my:speed", are extensions for other programs
     if (std::ranges::find(parameters_, element.name, &Parameter::name) != parameters_.end() ||
