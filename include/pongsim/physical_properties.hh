@@ -39,7 +39,8 @@ class PONGSIM_API PhysicalProperties {
   /// Changes the colour in which cameras, the scene and the state message show a visual, until a reset; its textures
   /// are tinted with it. Colours are no part of saved states, because nothing moves by them.
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
-  Outcome<void> setColor(VisualId visual, const Vector3& color);
+  /// @param glows Whether the visual also emits it (`<emissive>`), and so has it in the dark, too.
+  Outcome<void> setColor(VisualId visual, const Vector3& color, bool glows = false);
 
   /// Positions between which a joint's axis moves [rad or m], and the largest force or torque of its motor and of
   /// commands [N m or N]. With `lower` and `upper` the same, it is locked there. May be infinite; NaN is refused.

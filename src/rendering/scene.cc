@@ -209,6 +209,7 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     if (item.pictures[kGlowMap] != nullptr && item.paint.emissive.isZero()) item.paint.emissive.setOnes();
     item.fileDiffuse = item.paint.diffuse;
     item.fileAmbient = item.paint.ambient;
+    item.fileEmissive = item.paint.emissive;
     item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
     item.scale = body.scale;
     item.bounds = body.surface->bounds();
@@ -239,14 +240,15 @@ std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& he
   return Warmth{std::min(coldest, hottest), std::max(coldest, hottest), pictureOf(heat->signature, warn)};
 }
 
-void Scene::paint(const std::map<VisualId, Vector3>& colors) {
+void Scene::paint(const std::map<VisualId, NewColor>& colors) {
   if (colors.empty() && !isPainted_) return;
   isPainted_ = !colors.empty();
   for (Item& item : items_) {
     const auto found = colors.find(item.id);
     const bool isPainted = found != colors.end();
-    item.paint.diffuse = isPainted ? Eigen::Vector3f(found->second.cast<float>()) : item.fileDiffuse;
+    item.paint.diffuse = isPainted ? Eigen::Vector3f(found->second.color.cast<float>()) : item.fileDiffuse;
     item.paint.ambient = isPainted ? item.paint.diffuse : item.fileAmbient;
+    item.paint.emissive = isPainted && found->second.glows ? item.paint.diffuse : item.fileEmissive;
   }
 }
 

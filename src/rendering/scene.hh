@@ -20,6 +20,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
+#include "rendering/new_color.hh"
 #include "rendering/paint.hh"
 #include "rendering/surface.hh"
 #include "world/entities.hh"
@@ -52,7 +53,7 @@ struct Item {
   /// Unset for one of an actor.
   VisualId id;
   /// Of the file, if the paint has others.
-  Eigen::Vector3f fileDiffuse, fileAmbient;
+  Eigen::Vector3f fileDiffuse, fileAmbient, fileEmissive;
   Pose X_LinkSurface;
   /// Along the axes of the surface, before rotation.
   Vector3 scale = Vector3::Ones();
@@ -103,7 +104,7 @@ class Scene {
 
   /// Gives visuals other colours, and all others those of the file again.
   /// @param colors Red, green, blue, 0 to 1.
-  void paint(const std::map<VisualId, Vector3>& colors);
+  void paint(const std::map<VisualId, NewColor>& colors);
 
   /// Updates the poses of what has moved, and the lights.
   /// @param state Of the same entities.

@@ -221,11 +221,16 @@ TEST_F(Pictures, ShowVisualsInTheirPresentColors) {
   world.start();
   const auto paintOf = [&](std::size_t item) -> const Paint& { return world.scene().items()[item].paint; };
   const Eigen::Vector3f diffuse = paintOf(0).diffuse, ambient = paintOf(0).ambient, color(0, 1, 0.5F);
-  world.paint({{world.scene().items()[1].id, {0, 1, 0.5}}});
+  const Eigen::Vector3f emissive = paintOf(0).emissive;
+  world.paint({{world.scene().items()[1].id, {.color = {0, 1, 0.5}}}});
   EXPECT_EQ(paintOf(1).diffuse, color);
   EXPECT_EQ(paintOf(1).ambient, color);
   EXPECT_EQ(paintOf(0).diffuse, diffuse);
+  EXPECT_EQ(paintOf(1).emissive, emissive);
+  world.paint({{world.scene().items()[1].id, {.color = {0, 1, 0.5}, .glows = true}}});
+  EXPECT_EQ(paintOf(1).emissive, color);
   world.paint({});
+  EXPECT_EQ(paintOf(1).emissive, emissive);
   EXPECT_EQ(paintOf(1).diffuse, diffuse);
   EXPECT_EQ(paintOf(1).ambient, ambient);
 }

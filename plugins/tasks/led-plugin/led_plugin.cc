@@ -3,6 +3,7 @@
 #include <ignition/msgs/stringmsg.pb.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "blinking.hh"
 #include "pongsim/parameters.hh"
+#include "pongsim/physical_properties.hh"
 #include "pongsim/scene.hh"
 #include "pongsim/system.hh"
 
@@ -17,17 +19,17 @@ namespace pongsim {
 
 namespace {
 
-/// Lets lights blink in modes.
+/// Lets lights and visuals blink in modes.
 class LedPlugin : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Lets the lights of LEDs blink in modes, which commands choose.", Declaration::Place::kModel);
+    declaration.is("Lets LEDs, which are lights and visuals, blink in modes, which commands choose.",
+                   Declaration::Place::kModel);
     declaration.parameter("led_group_name", &group_, "", "part of the topic").otherwise("led_M");
     declaration
         .element("led",
-                 "an LED, with the attribute `name`: `light_name` (such as model::link::light, or its end) and the "
-                 "`color` and "
-                 "`intensity` of its `default_state` (1 1 1 1 and 0); `visual_name` has no effect; may be repeated")
+                 "an LED, with the attribute `name`: `light_name`, `visual_name` or both (such as model::link::light, "
+                 "or its end) and the `color` and `intensity` of its `default_state` (1 1 1 1 and 0); may be repeated")
         .required();
     declaration
         .element(
@@ -44,6 +46,7 @@ class LedPlugin : public System {
   }
 
   void configure(const SystemContext& context) override {
+    world_ = &context.world;
     log_ = &context.log;
     modes_ = ledModesIn(context.sdf, context.diagnostics);
     if (modes_.empty()) refuse(context.sdf, "none of the <mode>s can be used");
@@ -91,7 +94,10 @@ class LedPlugin : public System {
 
   void transfer(StateArchive& archive) override {
     blinking_.transfer(archive, modes_);
-    for (Led& led : leds_) archive(led.shown);
+    for (Led& led : leds_) {
+      archive(led.shown);
+      if (archive.isGiving() && led.shown) paint(led);
+    }
   }
 
  private:
@@ -100,6 +106,7 @@ class LedPlugin : public System {
     Glow atRest;
     /// As in the file, with its id; empty without a light.
     std::optional<ignition::msgs::Light> light;
+    std::optional<VisualId> visual;
     std::optional<Glow> shown;
   };
 
@@ -118,8 +125,10 @@ class LedPlugin : public System {
   }
 
   void show(Led& led, const Glow& glow) {
-    if (!led.light || led.shown == glow) return;
+    if ((!led.light && !led.visual) || led.shown == glow) return;
     led.shown = glow;
+    paint(led);
+    if (!led.light) return;
     for (ignition::msgs::Color* color : {led.light->mutable_diffuse(), led.light->mutable_specular()}) {
       color->set_r(static_cast<float>(glow.color[0]));
       color->set_g(static_cast<float>(glow.color[1]));
@@ -128,6 +137,13 @@ class LedPlugin : public System {
     }
     led.light->set_intensity(static_cast<float>(glow.intensity));
     changes_.publish(*led.light);
+  }
+
+  /// A visual has the colour and emits it, whatever the intensity, as in Gazebo.
+  void paint(const Led& led) {
+    if (!led.visual) return;
+    const std::array<double, 4>& color = led.shown->color;
+    PhysicalProperties(*world_).setColor(*led.visual, {color[0], color[1], color[2]}, true);
   }
 
   void receive(const std::string& name) {
@@ -145,23 +161,35 @@ class LedPlugin : public System {
   std::vector<Led> leds_;
   std::uint64_t startup_ = 0;
   Blinking blinking_;
+  World* world_ = nullptr;
   const Logger* log_ = nullptr;
   Subscription commands_;
   Publisher changes_;
 };
 
-/// @return The first light with that scoped name, or with a name that ends so, in a model or the models in it.
-const ignition::msgs::Light* lightIn(const ignition::msgs::Model& model, const std::string& prefix,
-                                     const std::string& wanted) {
+/// @param parts Those of a link.
+/// @return The first one with that scoped name, or with a name that ends so, in a model or the models in it.
+template <class Part>
+const Part* partIn(const ignition::msgs::Model& model, const std::string& prefix, const std::string& wanted,
+                   const google::protobuf::RepeatedPtrField<Part>& (ignition::msgs::Link::*parts)() const) {
   const std::string name = prefix + model.name() + "::";
   for (const ignition::msgs::Link& link : model.link()) {
-    for (const ignition::msgs::Light& light : link.light()) {
+    for (const Part& part : (link.*parts)()) {
       // as in Gazebo, the name may begin anywhere in the tree
-      if (("::" + name + link.name() + "::" + light.name()).ends_with("::" + wanted)) return &light;
+      if (("::" + name + link.name() + "::" + part.name()).ends_with("::" + wanted)) return &part;
     }
   }
   for (const ignition::msgs::Model& inner : model.model()) {
-    if (const ignition::msgs::Light* light = lightIn(inner, name, wanted)) return light;
+    if (const Part* part = partIn(inner, name, wanted, parts)) return part;
+  }
+  return nullptr;
+}
+
+template <class Part>
+const Part* partIn(const ignition::msgs::Scene& scene, const std::string& wanted,
+                   const google::protobuf::RepeatedPtrField<Part>& (ignition::msgs::Link::*parts)() const) {
+  for (const ignition::msgs::Model& model : scene.model()) {
+    if (const Part* part = partIn(model, "", wanted, parts)) return part;
   }
   return nullptr;
 }
@@ -170,12 +198,12 @@ void LedPlugin::findLeds(const SystemContext& context) {
   ignition::msgs::Scene scene;
   Scene(context.world).fillIn(scene);
   for (const Element* element : context.sdf.childrenNamed("led")) {
-    Led led{.name = element->attributeOr("name", ""), .atRest = {.intensity = 0}, .light = {}, .shown = {}};
+    Led led{
+        .name = element->attributeOr("name", ""), .atRest = {.intensity = 0}, .light = {}, .visual = {}, .shown = {}};
     if (const Element* rest = element->child("default_state")) led.atRest = glowIn(*rest, led.atRest);
     if (const Element* name = element->child("light_name")) {
-      for (const ignition::msgs::Model& model : scene.model()) {
-        const ignition::msgs::Light* light = lightIn(model, "", name->text);
-        if (light != nullptr && !led.light) led.light = *light;
+      if (const ignition::msgs::Light* light = partIn(scene, name->text, &ignition::msgs::Link::light)) {
+        led.light = *light;
       }
       for (const ignition::msgs::Light& light : scene.light()) {
         if (light.name() == name->text) led.light = light;
@@ -183,10 +211,13 @@ void LedPlugin::findLeds(const SystemContext& context) {
       if (!led.light) {
         context.diagnostics.warning(name->position, "<light_name> '" + name->text + "' is not a light in the world");
       }
-    } else if (const Element* visual = element->child("visual_name")) {
-      context.diagnostics.warning(visual->position, "LED '" + led.name +
-                                                        "' has no <light_name>, and the colours of visuals "
-                                                        "can't be changed: it has no effect");
+    }
+    if (const Element* name = element->child("visual_name")) {
+      if (const ignition::msgs::Visual* visual = partIn(scene, name->text, &ignition::msgs::Link::visual)) {
+        led.visual = VisualId{visual->id()};
+      } else {
+        context.diagnostics.warning(name->position, "<visual_name> '" + name->text + "' is not a visual in the world");
+      }
     }
     leds_.push_back(std::move(led));
   }

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
+#include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/light.pb.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "support/camera_world.hh"
 #include "support/going_on.hh"
 #include "support/running_world.hh"
 
@@ -68,6 +71,40 @@ TEST(LedPlugin, ShowsItsFirstModeAndChangesItOnCommand) {
   EXPECT_EQ(lights[1].intensity(), 0);
 }
 
+class LedPluginSeen : public test::DrawingTest {};
+
+// in the dark, it is seen only because it glows
+TEST_F(LedPluginSeen, ChangesTheColorOfAVisual) {
+  const std::string plugin =
+      "<plugin filename='gz-sim-led-plugin-system' name='gz::sim::systems::LedPlugin'>"
+      "<led_group_name>signals</led_group_name>" +
+      led("v", "<visual_name>thing::l::v</visual_name><default_state><color>0 0 1 1</color></default_state>") +
+      "<mode name='go'><step always_on='true'><color>0 1 0 1</color></step></mode></plugin>";
+  RunningWorld world("<scene><ambient>0 0 0 1</ambient></scene>" + std::string(test::kSensorsSystem) +
+                     test::smallCamera("camera") + test::thingAt("thing", "3 0 0", test::boxOf(1, 4, 4), "", plugin));
+  std::vector<ignition::msgs::Image> images;
+  world.listen("/cam", images);
+  const auto middle = [&] {
+    images.clear();
+    world.step(100);
+    const std::string& pixels = images.back().data();
+    const std::size_t place = (24 * 64 + 32) * 3;
+    return std::vector<int>{static_cast<unsigned char>(pixels[place]), static_cast<unsigned char>(pixels[place + 1]),
+                            static_cast<unsigned char>(pixels[place + 2])};
+  };
+  const std::vector<int> green = middle();
+  EXPECT_LT(green[0], 10);
+  EXPECT_GT(green[1], 200);
+  const std::vector<std::byte> state = world.simulation().saveState();
+  world.tellText("/model/thing/signals/change_led_mode", "ignition.msgs.StringMsg", "data: 'off'");
+  EXPECT_GT(middle()[2], 200);
+  ASSERT_TRUE(world.simulation().restoreState(state));
+  EXPECT_EQ(middle(), green);
+  Diagnostics none;
+  world.simulation().reset(none);
+  EXPECT_EQ(middle(), green);
+}
+
 TEST(LedPlugin, GoesOnAfterAModeThatIsNotThere) {
   RunningWorld world(signals());
   testing::internal::CaptureStderr();
@@ -93,7 +130,7 @@ TEST(LedPlugin, SaysWhatIsWrong) {
            {led("b", "<light_name>lamp::blue</light_name>") + kLeds + kModes,
             "<light_name> 'lamp::blue' is not a light in the world"},
            {led("b", "<visual_name>lamp::post::v</visual_name>") + kLeds + kModes,
-            "LED 'b' has no <light_name>, and the colours of visuals can't be changed: it has no effect"},
+            "<visual_name> 'lamp::post::v' is not a visual in the world"},
            {kLeds + kModes + "<startup_mode>stop</startup_mode>", "<startup_mode> 'stop' is not a mode: 'go' is used"},
            {led("r", "<light_name>lamp::post::red</light_name>") + kModes, "mode 'go' names 'g', which is no <led>"}}) {
     EXPECT_EQ(RunningWorld::complaintsAbout(lamp(group + parameters)), std::vector{message});

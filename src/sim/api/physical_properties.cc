@@ -87,11 +87,11 @@ Outcome<void> PhysicalProperties::setResistance(const Joint& joint, const char* 
   return {};
 }
 
-Outcome<void> PhysicalProperties::setColor(VisualId visual, const Vector3& color) {
+Outcome<void> PhysicalProperties::setColor(VisualId visual, const Vector3& color, bool glows) {
   for (const double share : color) {
     if (auto checked = checkRange("a colour", share, 0, 1); !checked) return checked;
   }
-  access_->colors[visual] = color;
+  access_->colors[visual] = {color, glows};
   return {};
 }
 
