@@ -146,6 +146,13 @@ TEST(Declaration, SaysAllThatIsWrongAtOnce) {
                                 "world.sdf:3:3: warning: test does not know <numbr>\n  hint: did you mean 'number'?"}));
 }
 
+TEST(Declaration, KnowsAllElementsWhereItHandsThemOn) {
+  Settings settings;
+  settings.declaration.element("*", "any other element");
+  EXPECT_EQ(settings.read(pluginWith({{"words", "a"}, {"numbr", "1"}, {"anything", "1"}})), std::vector<std::string>{});
+  EXPECT_TRUE(settings.isGood);
+}
+
 TEST(Declaration, TellsOfItsParameters) {
   const Settings settings;
   const auto& parameters = settings.declaration.parameters();
