@@ -38,6 +38,14 @@ def node(name="tester"):
         rclpy.shutdown(context=context)
 
 
+def on_its_thread(tester, function, *arguments):
+    """What a function returns on the thread that spins the node. Goals are sent there: Jazzy's ActionClient notes a request
+    only after it has sent it, and drops an answer that another thread has read before."""
+    task = tester.executor.create_task(function, *arguments)
+    simulation.until(task.done, "the executor")
+    return task.result()
+
+
 def call(tester, kind, service, request):
     """The response of a service, which must come."""
     client = tester.create_client(kind, service)

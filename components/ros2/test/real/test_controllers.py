@@ -130,10 +130,10 @@ def send(tester, kind, name, goal):
     client = ActionClient(tester, kind, name)
     assert client.wait_for_server(simulation.PATIENCE)
     feedback = []
-    sent = client.send_goal_async(goal, feedback.append)
+    sent = ros.on_its_thread(tester, client.send_goal_async, goal, feedback.append)
     simulation.until(sent.done, "an answer to the goal")
     assert sent.result().accepted
-    result = sent.result().get_result_async()
+    result = ros.on_its_thread(tester, sent.result().get_result_async)
     simulation.until(result.done, "the result")
     return result.result(), feedback
 
