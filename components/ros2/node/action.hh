@@ -16,6 +16,7 @@
 namespace pongsim::ros2 {
 
 /// Offers an action for the lifetime of this object: its three services and two topics, with rcl's quality of service.
+/// Where there is an older version of its feedback, there are two publishers of feedback, one for the nodes of each.
 /// Goals are passed to `Handlers::execute`, which reports their progress. For one thread, that of the node's mailbox.
 template <ActionType Action>
 class ActionServer {
@@ -42,7 +43,16 @@ class ActionServer {
       : now_(std::move(now)), handlers_(std::move(handlers)) {
     const RosNode::Quiet quiet(node);
     const std::string base = name + "/_action/";
-    feedback_ = node.advertise<FeedbackMessage<Action>>(base + "feedback");
+    if constexpr (requires { typename Action::OlderFeedback; }) {
+      // a version's hash tells who reads it
+      const std::string newer = typeInfo<FeedbackMessage<Action>>().hash;
+      feedback_ = node.advertise<FeedbackMessage<Action>>(base + "feedback", kDefaultQos, {},
+                                                          [newer](const std::string& hash) { return hash == newer; });
+      olderFeedback_ = node.advertise<FeedbackMessage<Action, typename Action::OlderFeedback>>(
+          base + "feedback", kDefaultQos, {}, [newer](const std::string& hash) { return hash != newer; });
+    } else {
+      feedback_ = node.advertise<FeedbackMessage<Action>>(base + "feedback");
+    }
     status_ = node.advertise<action_msgs::GoalStatusArray>(base + "status", kLatchedQos);
     sendGoal_ = serve<SendGoal<Action>>(
         node, base + "send_goal", [this](const auto& request, const auto& responder) { take(request, responder); });
@@ -61,7 +71,12 @@ class ActionServer {
 
   /// Publishes feedback on a goal, if anybody subscribes.
   void publishFeedback(const Id& id, const Feedback& feedback) {
-    if (feedback_->hasReaders()) feedback_->publish(FeedbackMessage<Action>{id, feedback});
+    if (!feedback_->hasReaders()) return;
+    feedback_->publish(FeedbackMessage<Action>{id, feedback});
+    if constexpr (requires { Action::toOlder(feedback); }) {
+      using Older = FeedbackMessage<Action, typename Action::OlderFeedback>;
+      olderFeedback_->publish(Older{id, Action::toOlder(feedback)});
+    }
   }
 
   /// Ends a goal. Does nothing if it has ended.
@@ -134,6 +149,8 @@ class ActionServer {
   Goals goals_;
   std::map<std::array<std::uint8_t, 16>, Record> records_;
   std::unique_ptr<RosPublisher> feedback_;
+  /// Where the action has an older version.
+  std::unique_ptr<RosPublisher> olderFeedback_;
   std::unique_ptr<RosPublisher> status_;
   std::unique_ptr<RosServer> sendGoal_;
   std::unique_ptr<RosServer> cancelGoal_;

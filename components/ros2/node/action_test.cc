@@ -31,10 +31,21 @@ struct Fibonacci {
   };
   struct Feedback {
     static constexpr const char* kName = "example_interfaces/action/Fibonacci_Feedback";
+    std::int32_t order = 0;
     std::vector<std::int32_t> sequence;
-    static void visit(auto& self, auto&& field) { field("sequence", self.sequence); }
+    static void visit(auto& self, auto&& field) {
+      field("order", self.order);
+      field("sequence", self.sequence);
+    }
     bool operator==(const Feedback&) const = default;
   };
+  struct OlderFeedback {
+    static constexpr const char* kName = "example_interfaces/action/Fibonacci_Feedback";
+    std::vector<std::int32_t> sequence;
+    static void visit(auto& self, auto&& field) { field("sequence", self.sequence); }
+    bool operator==(const OlderFeedback&) const = default;
+  };
+  static OlderFeedback toOlder(const Feedback& feedback) { return {feedback.sequence}; }
 };
 
 using Status = action_msgs::GoalStatus;
@@ -137,22 +148,30 @@ TEST_F(ActionTest, CancellingIsAgreedToOrNot) {
 }
 
 TEST_F(ActionTest, FeedbackAndStatusAreTold) {
+  using Older = FeedbackMessage<Fibonacci, Fibonacci::OlderFeedback>;
   std::mutex mutex;
   std::vector<FeedbackMessage<Fibonacci>> feedback;
+  std::vector<Older> olderFeedback;
   std::vector<action_msgs::GoalStatusArray> statuses;
   const auto feedbackReader = peer_.subscribe<FeedbackMessage<Fibonacci>>(
       "/pongsim/fibonacci/_action/feedback", [&](const FeedbackMessage<Fibonacci>& message) {
         const std::lock_guard lock(mutex);
         feedback.push_back(message);
       });
+  const auto olderReader = peer_.subscribe<Older>("/pongsim/fibonacci/_action/feedback", [&](const Older& message) {
+    const std::lock_guard lock(mutex);
+    olderFeedback.push_back(message);
+  });
   ASSERT_TRUE(send(4, 3));
   ASSERT_TRUE(test::waitUntil([&] {
-    server_->publishFeedback(idOf(4), {{1, 1}});
+    server_->publishFeedback(idOf(4), {3, {1, 1}});
     const std::lock_guard lock(mutex);
-    return !feedback.empty();
+    return !feedback.empty() && !olderFeedback.empty();
   }));
-  EXPECT_EQ(feedback[0].goal_id, idOf(4));
-  EXPECT_EQ(feedback[0].feedback.sequence, (std::vector<std::int32_t>{1, 1}));
+  // each in the version of its type, and in no other
+  for (const auto& each : feedback) EXPECT_EQ(each, (FeedbackMessage<Fibonacci>{idOf(4), {3, {1, 1}}}));
+  for (const auto& each : olderFeedback) EXPECT_EQ(each, (Older{idOf(4), {{1, 1}}}));
+  EXPECT_EQ(peer_.malformed(), 0);
   server_->end(idOf(4), Status::kStatusSucceeded, {});
   // late subscribers get the last status
   const auto statusReader = peer_.subscribe<action_msgs::GoalStatusArray>(

@@ -16,12 +16,21 @@ Contract contractOf(RosNode& node, const std::string& topic, const TypeInfo& typ
   return {topicOnWire(name), ddsTypeName(type.name), type.hash, qos};
 }
 
+Writer::IsFor filterOf(const Participant& participant, const RosPublisher::IsForType& isForType) {
+  if (!isForType) return {};
+  return [&participant, isForType](const Guid& reader, const SampleId&) {
+    const auto found = participant.graph().find(reader);
+    return found && isForType(found->contract.typeHash);
+  };
+}
+
 }  // namespace
 
 RosPublisher::RosPublisher(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos,
-                           std::function<void()> readersChanged)
+                           std::function<void()> readersChanged, const IsForType& isForType)
     : node_(node),
-      writer_(node.participant().makeWriter(contractOf(node, topic, type, qos), std::move(readersChanged))) {
+      writer_(node.participant().makeWriter(contractOf(node, topic, type, qos), std::move(readersChanged),
+                                            filterOf(node.participant(), isForType))) {
   node_.addWriter(writer_->id());
 }
 

@@ -26,8 +26,11 @@ class RosNode;
 /// A publisher on a topic. Ends when it is destroyed; must not outlive its node.
 class RosPublisher {
  public:
+  /// Called from a thread of DDS: whether it is for readers that announce this hash of their type, which is empty for
+  /// those of Humble.
+  using IsForType = std::function<bool(const std::string& hash)>;
   RosPublisher(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos,
-               std::function<void()> readersChanged);
+               std::function<void()> readersChanged, const IsForType& isForType = {});
   ~RosPublisher();
   RosPublisher(const RosPublisher&) = delete;
   RosPublisher& operator=(const RosPublisher&) = delete;
@@ -96,10 +99,12 @@ class RosNode {
   /// @param topic Relative names are inside the node's namespace, names that start with "~/" inside its own name; the
   /// same below.
   /// @param readersChanged Called from a DDS thread when a reader appears or disappears.
+  /// @param isForType Which readers get the messages; empty: all.
   template <Structure Message>
   std::unique_ptr<RosPublisher> advertise(const std::string& topic, const Qos& qos = kDefaultQos,
-                                          std::function<void()> readersChanged = {}) {
-    return std::make_unique<RosPublisher>(*this, topic, typeInfo<Message>(), qos, std::move(readersChanged));
+                                          std::function<void()> readersChanged = {},
+                                          const RosPublisher::IsForType& isForType = {}) {
+    return std::make_unique<RosPublisher>(*this, topic, typeInfo<Message>(), qos, std::move(readersChanged), isForType);
   }
 
   /// @param received Called from a DDS thread with each message. Invalid payloads are dropped with a warning.

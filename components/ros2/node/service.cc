@@ -45,10 +45,7 @@ bool isReader(const Guid& id) {
 }  // namespace
 
 ServerEnds::ServerEnds(RosNode& node, const std::string& service, const Types& types, Reader::Received received)
-    : node_(node),
-      service_(node.resolve(service)),
-      olderResponseHash_(types.olderResponse.hash),
-      responseHash_(types.response.hash) {
+    : node_(node), service_(node.resolve(service)), types_(types) {
   Types announced = types;
   if (node.options().prefersOlder) {
     announced.request = types.olderRequest;
@@ -104,16 +101,20 @@ bool ServerEnds::send(const Waiting& waiting) {
   const SampleId& caller = waiting.caller.id;
   for (const Graph::Endpoint& each : node_.participant().graph().endpointsOn(replyTopic_, Graph::Role::kReader)) {
     if (!isFor(each.id, caller) || !writer_->hasReader(each.id)) continue;
-    const Reply& reply = waiting.reply;
-    const bool givesOlder =
-        !reply.older.empty() && isOlder(each.contract.typeHash, olderResponseHash_, responseHash_, node_);
-    std::vector<std::byte> payload = givesOlder ? reply.older : reply.payload;
+    std::vector<std::byte> payload = payloadFor(each.contract.typeHash, waiting.reply);
     if (!waiting.caller.header.empty()) payload = cyclonePayload(waiting.caller.header, payload);
     writer_->write(
         payload.size(), [&payload](std::span<std::byte> place) { std::ranges::copy(payload, place.begin()); }, caller);
     return true;
   }
   return false;
+}
+
+/// @param hash That of the client's response, or empty.
+const std::vector<std::byte>& ServerEnds::payloadFor(const std::string& hash, const Reply& reply) const {
+  if (!reply.newer.empty() && hash == types_.newerResponse.hash) return reply.newer;
+  if (!reply.older.empty() && isOlder(hash, types_.olderResponse.hash, types_.response.hash, node_)) return reply.older;
+  return reply.payload;
 }
 
 void ServerEnds::readersChanged() {

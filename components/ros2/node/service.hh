@@ -26,8 +26,9 @@ namespace pongsim::ros2 {
 ///     };
 ///
 /// Where an older version of it has another request or response, it has the type, `OlderRequest` or `OlderResponse`,
-/// and a conversion, `fromOlder` or `toOlder`. Clients of both are served: they announce the hashes of their types, and
-/// those that don't are taken for what `RosNode::Options` says.
+/// and a conversion, `fromOlder` or `toOlder`; where a newer one has another response, `NewerResponse` and `toNewer`.
+/// Clients of all are served: they announce the hashes of their types, and those that don't are taken for what
+/// `RosNode::Options` says.
 template <class Type>
 concept ServiceType = Structure<typename Type::Request> && Structure<typename Type::Response>;
 
@@ -44,8 +45,9 @@ struct Caller {
 
 struct Reply {
   std::vector<std::byte> payload;
-  /// For clients of an older version; empty: it is the same.
+  /// For clients of an older or newer version; empty: it is the same.
   std::vector<std::byte> older = {};
+  std::vector<std::byte> newer = {};
 };
 
 /// The endpoints of a service on the wire, for any types.
@@ -54,9 +56,10 @@ class ServerEnds {
   struct Types {
     TypeInfo request;
     TypeInfo response;
-    /// Of the older version; the same if there is none.
+    /// Of the older and newer versions; the same if there is none.
     TypeInfo olderRequest = request;
     TypeInfo olderResponse = response;
+    TypeInfo newerResponse = response;
   };
   /// @param received Called from a DDS thread with each request.
   ServerEnds(RosNode& node, const std::string& service, const Types& types, Reader::Received received);
@@ -79,11 +82,11 @@ class ServerEnds {
   void readersChanged();
   bool isFor(const Guid& reader, const SampleId& caller) const;
   bool send(const Waiting& reply);
+  const std::vector<std::byte>& payloadFor(const std::string& hash, const Reply& reply) const;
 
   RosNode& node_;
   std::string service_;
-  std::string olderResponseHash_;
-  std::string responseHash_;
+  Types types_;
   std::string replyTopic_;
   std::mutex mutex_;
   std::condition_variable sent_;
@@ -105,11 +108,10 @@ class Responder {
   void answer(const typename Service::Response& response) const {
     const auto ends = ends_.lock();
     if (!ends) return;
-    if constexpr (requires { Service::toOlder(response); }) {
-      ends->reply(caller_, {toCdr(response), toCdr(Service::toOlder(response))});
-    } else {
-      ends->reply(caller_, {toCdr(response)});
-    }
+    detail::Reply reply{toCdr(response)};
+    if constexpr (requires { Service::toOlder(response); }) reply.older = toCdr(Service::toOlder(response));
+    if constexpr (requires { Service::toNewer(response); }) reply.newer = toCdr(Service::toNewer(response));
+    ends->reply(caller_, std::move(reply));
   }
 
  private:
@@ -144,6 +146,9 @@ ServerEnds::Types typesOf() {
   }
   if constexpr (requires { typename Service::OlderResponse; }) {
     types.olderResponse = typeInfo<typename Service::OlderResponse>();
+  }
+  if constexpr (requires { typename Service::NewerResponse; }) {
+    types.newerResponse = typeInfo<typename Service::NewerResponse>();
   }
   return types;
 }

@@ -38,16 +38,62 @@ struct AddTwoInts {
   };
 };
 
+/// A service whose response has grown with each version.
+struct Measure {
+  static constexpr const char* kName = "example_interfaces/srv/Measure";
+  struct Request {
+    static constexpr const char* kName = "example_interfaces/srv/Measure_Request";
+    std::int32_t sensor = 0;
+    static void visit(auto& self, auto&& field) { field("sensor", self.sensor); }
+  };
+  struct OlderResponse {
+    static constexpr const char* kName = "example_interfaces/srv/Measure_Response";
+    double value = 0;
+    static void visit(auto& self, auto&& field) { field("value", self.value); }
+  };
+  struct Response {
+    static constexpr const char* kName = "example_interfaces/srv/Measure_Response";
+    double value = 0;
+    std::string unit;
+    static void visit(auto& self, auto&& field) {
+      field("value", self.value);
+      field("unit", self.unit);
+    }
+  };
+  struct NewerResponse {
+    static constexpr const char* kName = "example_interfaces/srv/Measure_Response";
+    std::string unit;
+    double value = 0;
+    static void visit(auto& self, auto&& field) {
+      field("unit", self.unit);
+      field("value", self.value);
+    }
+  };
+  static OlderResponse toOlder(const Response& response) { return {response.value}; }
+  static NewerResponse toNewer(const Response& response) { return {response.unit, response.value}; }
+};
+
+/// What a client of another version knows.
+template <class Answer>
+struct MeasureOf {
+  static constexpr const char* kName = Measure::kName;
+  using Request = Measure::Request;
+  using Response = Answer;
+};
+
 class ServiceTest : public testing::Test {
  protected:
   /// Calls on another thread, because this one answers.
-  std::optional<AddTwoInts::Response> call(std::int64_t a, std::int64_t b,
-                                           std::chrono::seconds timeout = test::kDeadline) {
-    auto answer = std::async(std::launch::async, [&] {
-      return RosClient<AddTwoInts>(peer_, "/add").call({a, b}, timeout);
-    });
+  template <class Service>
+  std::optional<typename Service::Response> callOf(const std::string& service, const typename Service::Request& request,
+                                                   std::chrono::seconds timeout = test::kDeadline) {
+    auto answer =
+        std::async(std::launch::async, [&] { return RosClient<Service>(peer_, service).call(request, timeout); });
     while (answer.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) node_.mailbox().dispatch();
     return answer.get();
+  }
+  std::optional<AddTwoInts::Response> call(std::int64_t a, std::int64_t b) {
+    return callOf<AddTwoInts>("/add", {a, b});
   }
 
   const int domain_ = test::testDomain();
@@ -66,6 +112,22 @@ TEST_F(ServiceTest, AnswersWithTheSum) {
     ASSERT_TRUE(answer.has_value());
     EXPECT_EQ(answer->sum, i + 2);
   }
+}
+
+TEST_F(ServiceTest, AnswersEachClientInTheVersionOfItsType) {
+  const auto server = serveAtOnce<Measure>(node_, "/measure", [](const Measure::Request&) {
+    return Measure::Response{2.5, "m"};
+  });
+  const auto older = callOf<MeasureOf<Measure::OlderResponse>>("/measure", {});
+  ASSERT_TRUE(older.has_value());
+  EXPECT_EQ(older->value, 2.5);
+  const auto own = callOf<Measure>("/measure", {});
+  ASSERT_TRUE(own.has_value());
+  EXPECT_EQ(own->unit, "m");
+  const auto newer = callOf<MeasureOf<Measure::NewerResponse>>("/measure", {});
+  ASSERT_TRUE(newer.has_value());
+  EXPECT_EQ(newer->unit, "m");
+  EXPECT_EQ(newer->value, 2.5);
 }
 
 TEST_F(ServiceTest, MayAnswerLaterFromAnotherThread) {

@@ -17,6 +17,8 @@ namespace pongsim::ros2 {
 ///       struct Result { ... "_Result" ... };
 ///       struct Feedback { ... "_Feedback" ... };
 ///     };
+///
+/// Where an older version of it has other feedback, it has that type, `OlderFeedback`, and a conversion, `toOlder`.
 template <class Type>
 concept ActionType =
     Structure<typename Type::Goal> && Structure<typename Type::Result> && Structure<typename Type::Feedback>;
@@ -65,11 +67,11 @@ struct GetResult {
   };
 };
 
-template <ActionType Action>
+template <ActionType Action, Structure Feedback = typename Action::Feedback>
 struct FeedbackMessage {
   static std::string name() { return std::string(Action::kName) + "_FeedbackMessage"; }
   unique_identifier_msgs::UUID goal_id;
-  typename Action::Feedback feedback;
+  Feedback feedback;
   static void visit(auto& self, auto&& field) {
     field("goal_id", self.goal_id);
     field("feedback", self.feedback);

@@ -48,7 +48,37 @@ struct FollowJointTrajectory {
     }
     bool operator==(const Result&) const = default;
   };
+  /// Of Kilted and later.
   struct Feedback {
+    static constexpr const char* kName = "control_msgs/action/FollowJointTrajectory_Feedback";
+    std_msgs::Header header;
+    std::vector<std::string> joint_names;
+    trajectory_msgs::JointTrajectoryPoint desired;
+    trajectory_msgs::JointTrajectoryPoint actual;
+    trajectory_msgs::JointTrajectoryPoint error;
+    std::int32_t index = 0;
+    std::vector<std::string> multi_dof_joint_names;
+    trajectory_msgs::MultiDOFJointTrajectoryPoint multi_dof_desired;
+    trajectory_msgs::MultiDOFJointTrajectoryPoint multi_dof_actual;
+    trajectory_msgs::MultiDOFJointTrajectoryPoint multi_dof_error;
+    std::int32_t multi_dof_index = 0;
+    static void visit(auto& self, auto&& field) {
+      field("header", self.header);
+      field("joint_names", self.joint_names);
+      field("desired", self.desired);
+      field("actual", self.actual);
+      field("error", self.error);
+      field("index", self.index);
+      field("multi_dof_joint_names", self.multi_dof_joint_names);
+      field("multi_dof_desired", self.multi_dof_desired);
+      field("multi_dof_actual", self.multi_dof_actual);
+      field("multi_dof_error", self.multi_dof_error);
+      field("multi_dof_index", self.multi_dof_index);
+    }
+    bool operator==(const Feedback&) const = default;
+  };
+  /// Of Humble and Jazzy.
+  struct OlderFeedback {
     static constexpr const char* kName = "control_msgs/action/FollowJointTrajectory_Feedback";
     std_msgs::Header header;
     std::vector<std::string> joint_names;
@@ -70,8 +100,14 @@ struct FollowJointTrajectory {
       field("multi_dof_actual", self.multi_dof_actual);
       field("multi_dof_error", self.multi_dof_error);
     }
-    bool operator==(const Feedback&) const = default;
+    bool operator==(const OlderFeedback&) const = default;
   };
+  static OlderFeedback toOlder(const Feedback& feedback) {
+    return {
+        feedback.header,         feedback.joint_names,           feedback.desired,           feedback.actual,
+        feedback.error,          feedback.multi_dof_joint_names, feedback.multi_dof_desired, feedback.multi_dof_actual,
+        feedback.multi_dof_error};
+  }
 };
 
 struct GripperCommand {

@@ -8,7 +8,7 @@
 #include "ros2/types/std_msgs.hh"
 #include "ros2/types/trajectory_msgs.hh"
 
-/// As in Jazzy and Kilted.
+/// As in Jazzy. Kilted has another name for a field of SteeringControllerStatus, and the same bytes.
 namespace pongsim::ros2::control_msgs {
 
 struct InterfaceValue {

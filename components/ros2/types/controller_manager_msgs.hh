@@ -8,7 +8,7 @@
 #include "ros2/types/lifecycle_msgs.hh"
 #include "ros2/types/std_msgs.hh"
 
-/// As in Jazzy.
+/// As in Jazzy; Humble and Kilted differ below.
 namespace pongsim::ros2::controller_manager_msgs {
 
 struct ChainConnection {
@@ -120,6 +120,41 @@ struct ControllerManagerActivity {
 };
 
 }  // namespace pongsim::ros2::controller_manager_msgs
+
+/// What differs in Kilted and later. The names of the types are the same.
+namespace pongsim::ros2::controller_manager_msgs_kilted {
+
+struct HardwareComponentState {
+  static constexpr const char* kName = "controller_manager_msgs/msg/HardwareComponentState";
+  std::string name;
+  std::string type;
+  bool is_async = false;
+  std::uint16_t rw_rate = 0;
+  std::string plugin_name;
+  lifecycle_msgs::State state;
+  std::vector<controller_manager_msgs::HardwareInterface> command_interfaces;
+  std::vector<controller_manager_msgs::HardwareInterface> state_interfaces;
+  static void visit(auto& self, auto&& field) {
+    field("name", self.name);
+    field("type", self.type);
+    field("is_async", self.is_async);
+    field("rw_rate", self.rw_rate);
+    field("plugin_name", self.plugin_name);
+    field("state", self.state);
+    field("command_interfaces", self.command_interfaces);
+    field("state_interfaces", self.state_interfaces);
+  }
+  bool operator==(const HardwareComponentState&) const = default;
+};
+
+struct ListHardwareComponentsResponse {
+  static constexpr const char* kName = "controller_manager_msgs/srv/ListHardwareComponents_Response";
+  std::vector<HardwareComponentState> component;
+  static void visit(auto& self, auto&& field) { field("component", self.component); }
+  bool operator==(const ListHardwareComponentsResponse&) const = default;
+};
+
+}  // namespace pongsim::ros2::controller_manager_msgs_kilted
 
 /// What differs in Humble. The names of the types are the same.
 namespace pongsim::ros2::controller_manager_msgs_humble {

@@ -33,6 +33,15 @@ ListHardwareComponents::OlderResponse ListHardwareComponents::toOlder(const Resp
   return older;
 }
 
+ListHardwareComponents::NewerResponse ListHardwareComponents::toNewer(const Response& response) {
+  NewerResponse newer;
+  for (const HardwareComponentState& each : response.component) {
+    newer.component.push_back({each.name, each.type, each.is_async, each.rw_rate, each.plugin_name, each.state,
+                               each.command_interfaces, each.state_interfaces});
+  }
+  return newer;
+}
+
 ListHardwareInterfaces::OlderResponse ListHardwareInterfaces::toOlder(const Response& response) {
   return {olderInterfaces(response.command_interfaces), olderInterfaces(response.state_interfaces)};
 }

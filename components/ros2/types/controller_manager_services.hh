@@ -162,7 +162,9 @@ struct ListHardwareComponents {
     bool operator==(const Response&) const = default;
   };
   using OlderResponse = controller_manager_msgs_humble::ListHardwareComponentsResponse;
+  using NewerResponse = controller_manager_msgs_kilted::ListHardwareComponentsResponse;
   static OlderResponse toOlder(const Response& response);
+  static NewerResponse toNewer(const Response& response);
 };
 
 struct ListHardwareInterfaces {

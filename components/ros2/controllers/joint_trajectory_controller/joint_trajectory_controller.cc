@@ -46,10 +46,6 @@ trajectory_msgs::JointTrajectoryPoint messageOf(const TrajectoryPoint& point) {
 
 }  // namespace
 
-JointTrajectoryController::~JointTrajectoryController() {
-  if (state_) ros_->removeWriter(state_->id());
-}
-
 bool JointTrajectoryController::commands(const char* interface) const {
   return includes(commandInterfaces_, interface);
 }
@@ -120,17 +116,9 @@ Outcome<void> JointTrajectoryController::configure(const ControllerSetup& setup)
                                      [this](const auto& id, const auto& goal) { execute(id, goal); },
                                      [this](const auto& id) { return isCanceled_ = goal_ == id; }});
   // Humble's is another type of the same name, without the speed: its nodes get none
-  ros_ = &setup.ros;
-  const TypeInfo type = typeInfo<control_msgs::JointTrajectoryControllerState>();
-  Participant& participant = ros_->participant();
-  ros_->use(type);
-  state_ = participant.makeWriter(
-      {topicOnWire(setup.remaps.apply(*ros_, "~/controller_state")), ddsTypeName(type.name), type.hash, kDefaultQos},
-      {}, [&participant, hash = type.hash](const Guid& reader, const SampleId&) {
-        const auto found = participant.graph().find(reader);
-        return found && found->contract.typeHash == hash;
-      });
-  ros_->addWriter(state_->id());
+  using State = control_msgs::JointTrajectoryControllerState;
+  state_ = setup.ros.advertise<State>(setup.remaps.apply(setup.ros, "~/controller_state"), kDefaultQos, {},
+                                      [own = typeInfo<State>().hash](const std::string& hash) { return hash == own; });
   return {};
 }
 
@@ -271,6 +259,8 @@ void JointTrajectoryController::update(Time now, double period) {
     write(next.state, desired.state, errors, period);
     lastCommand_ = next.state;
   }
+  // that of the next point, or beyond the last
+  feedback_.index = static_cast<std::int32_t>(trajectoryTime_ < trajectory_->timeOf(0) ? 0 : desired.point + 1);
   publish(now, desired.state, actual, errors);
 }
 
@@ -356,7 +346,7 @@ void JointTrajectoryController::publishState(Time now, const TrajectoryPoint& de
     for (std::size_t i = 0; i < joints; ++i) list->push_back(loan_.commands[k * joints + i]->get());
   }
   message.speed_scaling_factor = speedScale_;
-  state_->write(cdrSize(message), [&message](std::span<std::byte> place) { writeCdr(message, place); });
+  state_->publish(message);
 }
 
 void JointTrajectoryController::transfer(StateArchive& archive) {

@@ -19,7 +19,6 @@ namespace pongsim::ros2 {
 /// Moves joints along trajectories, from the topic `~/joint_trajectory` and the action `~/follow_joint_trajectory`.
 class JointTrajectoryController final : public Controller {
  public:
-  ~JointTrajectoryController() override;
   Outcome<void> configure(const ControllerSetup& setup) override;
   Interfaces interfaces() const override;
   Outcome<void> activate(const Loan& loan, Time now) override;
@@ -69,8 +68,7 @@ class JointTrajectoryController final : public Controller {
   TrajectoryTolerances defaults_;
   std::unique_ptr<RosSubscription> topic_;
   std::unique_ptr<ActionServer<Action>> action_;
-  RosNode* ros_ = nullptr;
-  std::unique_ptr<Writer> state_;
+  std::unique_ptr<RosPublisher> state_;
   Loan loan_;
   Action::Feedback feedback_;
 
