@@ -30,6 +30,7 @@ DiscoveryGuard::DiscoveryGuard() : leases_({std::chrono::nanoseconds(0), kForeve
 void DiscoveryGuard::receive(std::span<std::uint8_t> packet, TimePoint now, const HandOn& handOn) {
   const std::optional<shared::RtpsMessage> message = shared::readAnyRtpsMessage(packet);
   if (!message || !isUnderstood(*message)) return;
+  if (std::ranges::any_of(message->discovery, shared::isOfPongsim)) return;
   std::unique_lock turn(turn_, std::defer_lock);
   if (std::ranges::any_of(message->discovery, &shared::RtpsDiscovery::isOfParticipant)) turn.lock();
   {

@@ -14,6 +14,8 @@ namespace pongsim::ros2 {
 /// and when one ends, of a goodbye. Announcements and goodbyes are handed to it one at a time. All that the participant
 /// receives goes through here.
 ///
+/// Participants with pongsim's own topics, which share none with this one, are never heard.
+///
 /// There is no limit to the neighbours that are known, as there is none in Fast DDS, which needs much more memory for
 /// each. Any thread may use this.
 class DiscoveryGuard {

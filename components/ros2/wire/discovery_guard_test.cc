@@ -80,6 +80,12 @@ TEST_F(DiscoveryGuardTest, OfAllWhoSpeakInAMessageGoOn) {
   EXPECT_EQ(pass(seconds(2)), (std::vector{kNeighbour, kAnotherNeighbour}));
 }
 
+TEST_F(DiscoveryGuardTest, KnowNoParticipantOfPongsimsOwnTopics) {
+  EXPECT_FALSE(receive(announcementOf({.participant = kNeighbour, .name = "pongsim/4711"})));
+  EXPECT_EQ(guard_.size(), 0);
+  EXPECT_TRUE(receive(announcementOf({.participant = kAnotherNeighbour, .name = "/"})));
+}
+
 TEST_F(DiscoveryGuardTest, RunOnForThoseWhoAnnounceThemForever) {
   ASSERT_TRUE(receive(announcementOf({.participant = kNeighbour, .lease = 0x7fffffff})));
   EXPECT_TRUE(pass(std::chrono::hours(2)).empty());

@@ -18,6 +18,7 @@
 #include "ros2/wire/fast_dds.hh"
 #include "ros2/wire/local_udp.hh"
 #include "ros2/wire/security.hh"
+#include "shared/rtps/rtps_message.hh"
 
 namespace pongsim::ros2 {
 
@@ -72,7 +73,7 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
   const std::string enclave = identity ? identity->name : "/";
   attributes.setName(enclave.c_str());
   // identifies a ROS participant to peers; the terminating zero is part of it
-  const std::string userData = "enclave=" + enclave + ";" + '\0';
+  const std::string userData = "enclave=" + enclave + ";" + std::string(shared::kPongsimRosMark) + '\0';
   attributes.userData.assign(userData.begin(), userData.end());
   if (identity) {
     for (const auto& [name, value] : securityProperties(*identity)) {

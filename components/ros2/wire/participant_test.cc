@@ -127,6 +127,21 @@ TEST(Participant, MeetsTwoParticipantsThatAreAnnouncedInOneMessage) {
   EXPECT_TRUE(doesKnow(participant, kCyclonesOther));
 }
 
+TEST(Participant, MeetsNoParticipantOfPongsimsOwnTopics) {
+  const int domain = test::testDomain();
+  Participant participant({.domain = domain});
+  const std::string number = std::to_string(domain);
+  const Process::Options options{.environment = {{"ROS_DOMAIN_ID", number}, {"PONGSIM_DOMAIN", number}}, .folder = {}};
+  Process simulation({PONGSIM_PROGRAM, "run", "--ros2"}, options);
+  ASSERT_TRUE(comesTrue([&] { return !participant.graph().endpointsOn("rt/clock", Graph::Role::kWriter).empty(); }));
+  // its own topics are there, too
+  ASSERT_TRUE(comesTrue([&] {
+    Process list({PONGSIM_PROGRAM, "topic", "-l"}, options);
+    return list.wait() == 0 && list.output().find("/clock") != std::string::npos;
+  }));
+  EXPECT_EQ(participant.graph().participants().size(), 1U);
+}
+
 TEST(Participant, OutlivesGoodbyesAtTheEndsOfLeases) {
   const int domain = test::testDomain();
   Participant participant({.domain = domain});

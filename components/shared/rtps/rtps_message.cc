@@ -26,9 +26,9 @@ constexpr std::uint8_t kAckNack = 0x06, kHeartbeat = 0x07, kGap = 0x08, kInfoTs 
 }  // namespace submessage
 
 namespace parameter {
-constexpr std::uint16_t kSentinel = 0x01, kLease = 0x02, kDefaultUnicast = 0x31, kMetatrafficUnicast = 0x32,
-                        kParticipantGuid = 0x50, kEndpoints = 0x58, kEndpointGuid = 0x5a, kKeyHash = 0x70,
-                        kStatus = 0x71;
+constexpr std::uint16_t kSentinel = 0x01, kLease = 0x02, kUserData = 0x2c, kDefaultUnicast = 0x31,
+                        kMetatrafficUnicast = 0x32, kParticipantGuid = 0x50, kEndpoints = 0x58, kEndpointGuid = 0x5a,
+                        kEntityName = 0x62, kKeyHash = 0x70, kStatus = 0x71;
 }  // namespace parameter
 
 /// Reads numbers from the beginning of a range of bytes. Beyond its end it reads 0, and `isGood` becomes false.
@@ -131,6 +131,15 @@ bool readLease(ByteReader value, std::size_t at, RtpsDiscovery& sample) {
   return true;
 }
 
+/// @return What is in a string, without the zero at its end, or in a sequence of bytes; as much of it as there is.
+std::string readText(ByteReader value) {
+  const std::uint64_t length = value.number(4);
+  const auto bytes = value.rest().first(std::min<std::size_t>(length, value.rest().size()));
+  std::string text(bytes.begin(), bytes.end());
+  if (text.ends_with('\0')) text.pop_back();
+  return text;
+}
+
 /// Reads a parameter of the description of a participant or an endpoint.
 /// @param whole The message that contains it.
 bool readParameter(std::uint64_t id, std::span<const std::uint8_t> value, std::span<const std::uint8_t> whole,
@@ -148,6 +157,12 @@ bool readParameter(std::uint64_t id, std::span<const std::uint8_t> value, std::s
     case parameter::kDefaultUnicast:
     case parameter::kMetatrafficUnicast:
       return readAddress(reading, id == parameter::kMetatrafficUnicast, sample);
+    case parameter::kEntityName:
+    case parameter::kUserData:
+      if (sample.isOfParticipant()) {
+        (id == parameter::kEntityName ? sample.name : sample.userData) = readText(reading);
+      }
+      return true;
     case parameter::kEndpoints:
       sample.announcesItself = value.size() == 4 && (reading.number(4) & kParticipantAnnouncer) != 0;
       return sample.announcesItself || !sample.isOfParticipant();
@@ -335,6 +350,10 @@ bool readSubmessage(const Submessage& part, RtpsPrefix& sender, std::span<const 
 }
 
 }  // namespace
+
+bool isOfPongsim(const RtpsDiscovery& sample) { return sample.name.starts_with(kPongsimName); }
+
+bool isOfPongsimRos(const RtpsDiscovery& sample) { return sample.userData.find(kPongsimRosMark) != std::string::npos; }
 
 std::optional<RtpsMessage> readAnyRtpsMessage(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kVersion = 4, kInfoSourceSize = 20;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pongsim::shared {
@@ -48,12 +50,27 @@ struct RtpsDiscovery {
   bool isLittleEndian = true;
   /// Whether its endpoints include the writer of participants (SPDP). Without it Fast DDS ignores its end.
   bool announcesItself = false;
+  /// Of a participant: its name, and its user data, which in nodes of ROS is a list such as "enclave=/;".
+  std::string name, userData;
 
   /// @return Whether it is about a participant, and not about an endpoint.
   bool isOfParticipant() const { return writer == kSpdpWriter; }
   /// @return The participant that it is about; the sender if it does not contain one.
   const RtpsPrefix& participant() const { return prefix ? *prefix : sender; }
 };
+
+// pongsim's own topics and those of its node in ROS never match, so the participants of either ignore the others', in
+// all processes and on both sides: with the same domain they would tell each other of all their endpoints in vain,
+// which takes a time that grows with the square of their number. What marks them:
+
+/// How the names of the participants with pongsim's own topics begin.
+inline constexpr std::string_view kPongsimName = "pongsim/";
+/// In the user data of participants that are nodes of ROS in a simulation.
+inline constexpr std::string_view kPongsimRosMark = "pongsim=ros2;";
+
+/// @return Whether a sample announces a participant of that kind.
+bool isOfPongsim(const RtpsDiscovery& sample);
+bool isOfPongsimRos(const RtpsDiscovery& sample);
 
 /// A heartbeat of a discovery writer.
 struct RtpsHeartbeat {

@@ -115,6 +115,30 @@ TEST(RtpsMessage, TellsOfWhoAnnouncesItself) {
   EXPECT_EQ(packet.bytes()[sample.leasesAt[0]], 20);
 }
 
+TEST(RtpsMessage, TellsNamesAndUserDataOfParticipants) {
+  const auto read = [](RtpsEntity writer, std::uint16_t id, std::uint32_t length, std::string_view text) {
+    Packet packet(kSourcePrefix);
+    beginSample(packet, writer);
+    packet.beginParameter(id);
+    packet.add32(length);
+    for (const char each : text) packet.add8(static_cast<std::uint8_t>(each));
+    packet.endParameter();
+    packet.addSentinel();
+    packet.end();
+    return readPacket(packet).value().discovery.at(0);
+  };
+  constexpr std::uint16_t kUserData = 0x2c, kName = 0x62;
+  EXPECT_EQ(read(kSpdpWriter, kName, 12, std::string_view("pongsim/471\0", 12)).name, "pongsim/471");
+  EXPECT_EQ(read(kSpdpWriter, kUserData, 12, "enclave=/ab;").userData, "enclave=/ab;");
+  EXPECT_EQ(read(kSpdpWriter, kName, 0xffffffff, "abcd").name, "abcd") << "no more than there is";
+  EXPECT_EQ(read(kSpdpWriter, kName, 0, "").name, "");
+  EXPECT_EQ(read(kPublicationsWriter, kUserData, 4, "abcd").userData, "") << "an endpoint's";
+  EXPECT_TRUE(isOfPongsim(read(kSpdpWriter, kName, 12, "pongsim/4711")));
+  EXPECT_FALSE(isOfPongsim(read(kSpdpWriter, kName, 4, "/pon")));
+  EXPECT_TRUE(isOfPongsimRos(read(kSpdpWriter, kUserData, 24, "enclave=/;pongsim=ros2;\0")));
+  EXPECT_FALSE(isOfPongsimRos(read(kSpdpWriter, kUserData, 12, "enclave=/ab;")));
+}
+
 TEST(RtpsMessage, IsNoneWhereTwoIdsContradictEachOther) {
   Packet packet(kSourcePrefix);
   beginSample(packet, kPublicationsWriter);

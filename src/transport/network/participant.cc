@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/parse_number.hh"
+#include "shared/rtps/rtps_message.hh"
 #include "shared/threads/scheduling.hh"
 #include "transport/deadline.hh"
 #include "transport/udp/domain.hh"
@@ -31,7 +32,7 @@ constexpr const char* kLoopback = "127.0.0.1";
 // Where participants are looked for on other machines (RTPS 9.6.1.1.3).
 constexpr const char* kMulticastGroup = "239.255.0.1";
 
-constexpr std::string_view kNamePrefix = "pongsim/";
+constexpr std::string_view kNamePrefix = shared::kPongsimName;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 // The kernel gives what net.core.rmem_max and wmem_max allow: an image needs room for all of its packets at once.

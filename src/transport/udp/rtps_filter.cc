@@ -78,6 +78,7 @@ RtpsFilter::Decision RtpsFilter::decide(std::span<std::uint8_t> bytes, const Rtp
     if (sample.prefix != message->source) return {};
     // Fast DDS would read a missing lease as zero, and remove the participant after each announcement
     if (sample.isOfParticipant() && sample.isAlive && !sample.lease) return {};
+    if (shared::isOfPongsimRos(sample)) return {};
     isGoodbye |= sample.isOfParticipant() && !sample.isAlive;
   }
   const std::lock_guard lock(mutex_);

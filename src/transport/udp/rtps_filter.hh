@@ -32,6 +32,8 @@ using shared::RtpsPrefix;
 /// endpoints, sequence numbers in GAP submessages, samples requested again. When the participant has been silent for
 /// its lease, or has removed this one (`hasRediscovered`), Fast DDS is made to remove it.
 ///
+/// Nodes of ROS in simulations, which share no topic with this participant, are never known.
+///
 /// Before Fast DDS removes a participant, it receives an acknowledgement of all discovery data in that participant's
 /// name. Otherwise Fast DDS 2.9 deadlocks if the participant leaves while the end of an endpoint is being sent to it
 /// again (docs/transport.md). Thread-safe: Fast DDS calls it on its receiving threads and on all that send.

@@ -39,7 +39,8 @@ class RtpsFilterTest : public testing::Test {
     packet.add32(0x00000300);
   }
 
-  static Packet announcement(int number, std::uint32_t address = kLoopback, std::uint32_t lease = 20) {
+  static Packet announcement(int number, std::uint32_t address = kLoopback, std::uint32_t lease = 20,
+                             std::string_view userData = "") {
     Packet packet(prefixOf(number));
     beginData(packet, shared::kSpdpWriter);
     packet.beginParameter(0x02);
@@ -48,6 +49,7 @@ class RtpsFilterTest : public testing::Test {
     packet.endParameter();
     packet.addGuid(0x50, prefixOf(number), 0x1c1);
     packet.addLocator(0x32, address, 7410);
+    if (!userData.empty()) packet.addText(0x2c, userData);
     packet.addSentinel();
     packet.end();
     return packet;
@@ -267,6 +269,11 @@ TEST_F(RtpsFilterTest, DropsMessagesOfTheSameProcess) {
   EXPECT_FALSE(accepts(announcement(1), {kLoopback, 5000}));
   EXPECT_TRUE(filter_.isAcknowledged(7410, {shared::kPublicationsWriter, 5})) << "no heartbeat is needed there";
   EXPECT_TRUE(accepts(announcement(2), {kLoopback, 5001}));
+}
+
+TEST_F(RtpsFilterTest, DropsMessagesOfASimulationsNodeInRos) {
+  EXPECT_FALSE(accepts(announcement(1, kLoopback, 20, "enclave=/;pongsim=ros2;"), {kLoopback, 5000}));
+  EXPECT_TRUE(accepts(announcement(2, kLoopback, 20, "enclave=/;"), {kLoopback, 5001})) << "a node of its own";
 }
 
 TEST_F(RtpsFilterTest, BoundsEndpointsPerSecond) {

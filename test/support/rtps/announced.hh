@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hostile/packet.hh"
@@ -11,7 +12,7 @@ namespace pongsim::test {
 
 /// The ids of parameters (RTPS 2.3, 9.6.2.2).
 inline constexpr std::uint16_t kLeaseId = 0x02, kMetatrafficId = 0x32, kGuidId = 0x50, kEndpointsId = 0x58,
-                               kKeyHashId = 0x70, kStatusId = 0x71;
+                               kNameId = 0x62, kKeyHashId = 0x70, kStatusId = 0x71;
 
 struct Announced {
   hostile::Prefix participant{};
@@ -23,6 +24,8 @@ struct Announced {
   std::uint32_t entity = hostile::entity::kParticipant;
   /// Where it listens on this machine.
   std::uint32_t port = 9;
+  /// Empty: none.
+  std::string name = {};
 };
 
 /// Begins DATA up to its inline QoS.
@@ -50,6 +53,7 @@ inline void addAnnouncement(hostile::Packet& packet, const Announced& announced)
   packet.addLocator(kMetatrafficId, 0x7f000001, announced.port);
   if (announced.endpoints) packet.addNumberParameter(kEndpointsId, *announced.endpoints);
   if (announced.lease) addLease(packet, *announced.lease);
+  if (!announced.name.empty()) packet.addText(kNameId, announced.name);
   packet.addSentinel();
   packet.end();
 }
