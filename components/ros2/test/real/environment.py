@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The real ROS 2 for tests: virtual environments with rclpy and its middleware from PyPI, with interfaces built for it, and with
-ROS's command line and tf2 from their repositories.
+"""The real ROS 2 for tests: virtual environments with rclpy and its middleware from PyPI, with interfaces built for it, and
+with ROS's command line and tf2 from their repositories.
 
     environment.py make DISTRO FOLDER      makes it, once per user, and links it to FOLDER
     environment.py run DISTRO FOLDER ARG...   runs its Python; returns 77 (skipped) where PyPI could not be reached
