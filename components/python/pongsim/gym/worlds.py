@@ -103,8 +103,10 @@ class Worlds:
             self.action_space = task.action_space
             return
         is_dict = isinstance(task.action, Mapping)
+        named: Mapping[str, Steering | Sequence[Steering]]
+        named = task.action if isinstance(task.action, Mapping) else {"": task.action}
         parts: dict[str, list[Limits]] = {}
-        for name, steerings in task.action.items() if isinstance(task.action, Mapping) else [("", task.action)]:
+        for name, steerings in named.items():
             limits = parts[name] = []
             for steering in [steerings] if isinstance(steerings, Steering) else steerings:
                 if not isinstance(steering, Steering):
@@ -117,7 +119,7 @@ class Worlds:
                 self.action_sizes.append(len(each))
             for each_limits in limits:
                 self._pool.limit_action(*each_limits)
-        spaces_of_parts = {name: box(limits) for name, limits in parts.items()}
+        spaces_of_parts: dict[str, spaces.Space[Any]] = {name: box(limits) for name, limits in parts.items()}
         # a Dict sorts some names, but the numbers stay in the order of the task
         self._action_names = list(parts)
         self.action_space = spaces.Dict(spaces_of_parts) if is_dict else spaces_of_parts[""]
