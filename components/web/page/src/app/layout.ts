@@ -17,6 +17,8 @@ interface OpenPanel {
   place: Dock;
   frame: HTMLElement;
   body: HTMLElement;
+  /// The button that shows the panels of its dock as tabs.
+  stack: HTMLElement;
   panel: Panel;
 }
 
@@ -37,6 +39,10 @@ export class Layout {
   readonly changed = new Emitter<void>();
   private readonly sizes: LayoutState['sizes'] = {};
   private readonly lines = new Map<Dock, HTMLElement>();
+  /// Docks that show their panels as tabs, and the panel that is shown.
+  private readonly tabbed = new Map<Dock, OpenPanel | undefined>();
+  /// Tabs of the docks that can have them.
+  private readonly strips = new Map<Dock, HTMLElement>();
   private isReadOnly = false;
   private readonly controls = new Set<HTMLFieldSetElement>();
 
@@ -45,6 +51,12 @@ export class Layout {
       this.docks.set(place, h('div', { class: `dock ${place}`, role: 'region', 'aria-label': name, hidden: true }));
     }
     const dock = (place: Dock): HTMLElement => this.docks.get(place)!;
+    for (const place of ['left', 'right', 'bottom'] as const) {
+      const strip = h('div', { class: 'tabs', role: 'tablist', 'aria-label': dock(place).getAttribute('aria-label')!, hidden: true });
+      strip.addEventListener('keydown', (event) => this.moveInTabs(place, event));
+      dock(place).append(strip);
+      this.strips.set(place, strip);
+    }
     const corners = h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right'));
     const middle = h('div', { class: 'middle' }, h('div', { class: 'around' }, this.stage, corners));
     const lines = (['left', 'right', 'bottom'] as const).map((side) => {
@@ -63,12 +75,64 @@ export class Layout {
 
   /// What is open, and where.
   get state(): LayoutState {
-    const panels = kDocks.flatMap(([dock]) => [...this.docks.get(dock)!.children].map((frame) => {
-      const { kind, title, place, body, panel } = this.open.find((each) => each.frame === frame)!;
+    const panels = kDocks.flatMap(([dock]) => this.panelsIn(dock).map(({ kind, title, place, body, panel }) => {
       const settings = panel.settings?.();
       return { id: kind.id, title, place, ...(body.hidden && { isFolded: true }), ...(settings && { settings }) };
     }));
-    return { panels, sizes: { ...this.sizes } };
+    const tabs: NonNullable<LayoutState['tabs']> = {};
+    for (const [place, shown] of this.tabbed) tabs[place] = Math.max(this.panelsIn(place).findIndex((each) => each === shown), 0);
+    return { panels, sizes: { ...this.sizes }, ...(this.tabbed.size > 0 && { tabs }) };
+  }
+
+  /// The panels of a dock in their order.
+  private panelsIn(place: Dock): OpenPanel[] {
+    return [...this.docks.get(place)!.children].flatMap((frame) => this.open.find((each) => each.frame === frame) ?? []);
+  }
+
+  /// Shows the panels of these docks as tabs, and those of the others below each other.
+  setTabs(tabs: NonNullable<LayoutState['tabs']>): void {
+    this.tabbed.clear();
+    for (const place of this.strips.keys()) {
+      const shown = tabs[place];
+      if (shown !== undefined) this.tabbed.set(place, this.panelsIn(place)[shown]);
+    }
+    this.showDocks();
+  }
+
+  private showTab(panel: OpenPanel): void {
+    if (!this.tabbed.has(panel.place)) return;
+    this.tabbed.set(panel.place, panel);
+    this.showTabs(panel.place);
+    this.changed.emit();
+  }
+
+  private moveInTabs(place: Dock, event: KeyboardEvent): void {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const panels = this.panelsIn(place);
+    const next = (panels.findIndex((each) => each === this.tabbed.get(place)) + step + panels.length) % panels.length;
+    this.showTab(panels[next]!);
+    this.strips.get(place)!.querySelector<HTMLElement>('[aria-selected="true"]')?.focus();
+  }
+
+  private showTabs(place: Dock): void {
+    const strip = this.strips.get(place);
+    const panels = this.panelsIn(place);
+    const isTabbed = this.tabbed.has(place) && panels.length > 1;
+    const shown = panels.find((each) => each === this.tabbed.get(place)) ?? panels[0];
+    for (const each of panels) {
+      each.stack.hidden = !strip || panels.length < 2;
+      each.stack.setAttribute('aria-pressed', String(isTabbed));
+      each.frame.hidden = isTabbed && each !== shown;
+    }
+    if (!strip) return;
+    strip.hidden = !isTabbed;
+    if (isTabbed) this.tabbed.set(place, shown);
+    strip.replaceChildren(...(isTabbed ? panels : []).map((each) => h('button', {
+      type: 'button', role: 'tab', 'aria-selected': String(each === shown), 'aria-controls': each.frame.id,
+      tabindex: each === shown ? 0 : -1, onclick: () => this.showTab(each),
+    }, each.title)));
   }
 
   private resize(place: Dock, size: number): void {
@@ -105,9 +169,16 @@ export class Layout {
       fold.setAttribute('aria-expanded', String(!body.hidden));
     };
     const fold = iconButton('▾', `Fold ${title}`, () => foldTo(!body.hidden), { 'aria-expanded': 'true', 'aria-controls': body.id });
+    const stack = iconButton(icon('tabs'), 'Show the panels of this side as tabs', () => {
+      if (!this.tabbed.delete(opened.place)) this.tabbed.set(opened.place, opened);
+      this.showDocks();
+      this.changed.emit();
+      stack.focus();
+    });
     const move = iconButton(icon('move'), '', () => {
       opened.place = kNext[opened.place][0];
       this.docks.get(opened.place)!.append(frame);
+      if (this.tabbed.has(opened.place)) this.tabbed.set(opened.place, opened);
       showMove();
       this.showDocks();
       move.focus();
@@ -118,10 +189,11 @@ export class Layout {
       move.setAttribute('aria-label', move.title);
     };
     const heading = h('h2', { id }, title);
-    const frame = h('section', { class: 'panel', 'aria-labelledby': id, 'data-panel': kind.id, tabindex: -1 },
-      h('header', {}, fold, heading, move, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
-    const opened: OpenPanel = { kind, title, place, frame, body, panel };
+    const frame = h('section', { class: 'panel', id: `${id}-frame`, 'aria-labelledby': id, 'data-panel': kind.id, tabindex: -1 },
+      h('header', {}, fold, heading, stack, move, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
+    const opened: OpenPanel = { kind, title, place, frame, body, stack, panel };
     this.docks.get(place)!.append(frame);
+    if (this.tabbed.has(place)) this.tabbed.set(place, opened);
     this.open.push(opened);
     showMove();
     foldTo(isFolded);
@@ -145,7 +217,9 @@ export class Layout {
   /// Brings an open panel into view. The focus is set to the panel itself, because its fields would take the arrow
   /// keys from who drives a robot by them.
   reveal(kind: PanelKind): void {
-    const frame = this.open.findLast((each) => each.kind === kind)?.frame;
+    const opened = this.open.findLast((each) => each.kind === kind);
+    if (opened) this.showTab(opened);
+    const frame = opened?.frame;
     frame?.scrollIntoView({ block: 'nearest' });
     frame?.focus({ preventScroll: true });
   }
@@ -167,7 +241,8 @@ export class Layout {
 
   private showDocks(): void {
     for (const [place, dock] of this.docks) {
-      dock.hidden = dock.childElementCount === 0;
+      dock.hidden = this.panelsIn(place).length === 0;
+      this.showTabs(place);
       const line = this.lines.get(place);
       if (line) line.hidden = dock.hidden;
     }

@@ -11,6 +11,7 @@ const state: PageState = {
       { id: 'ImageDisplay', title: 'Front & "back"', place: 'right', settings: { topic: ['/camera'] } },
     ],
     sizes: { left: 300 },
+    tabs: { right: 1 },
   },
 };
 
@@ -26,7 +27,7 @@ test('what an address has no right to say is left out', () => {
   assert.equal(parseLayout('null'), null);
   assert.equal(parseLayout('{"panels":7}'), null);
   const panels = [7, null, { id: 'Plotting', title: 'Plot', place: 'middle' }, { id: 'Log', title: 'x', place: 'left', settings: { 'a b': ['c'], d: 'e', f: [1] } }];
-  assert.deepEqual(parseLayout(JSON.stringify({ panels, sizes: { left: 1, right: 'x', bottom: 200 } })), {
+  assert.deepEqual(parseLayout(JSON.stringify({ panels, sizes: { left: 1, right: 'x', bottom: 200 }, tabs: { left: -1, right: 'x', bottom: 1e9 } })), {
     panels: [{ id: 'Log', title: 'x', place: 'left' }], sizes: { bottom: 200 },
   });
 });

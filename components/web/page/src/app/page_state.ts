@@ -16,6 +16,8 @@ export interface LayoutState {
   panels: PanelState[];
   /// Sizes of docks that the user has changed [px].
   sizes: Partial<Record<Dock, number>>;
+  /// Docks that show their panels as tabs, and the number of the one that is shown.
+  tabs?: Partial<Record<Dock, number>>;
 }
 
 export interface PageState {
@@ -55,12 +57,14 @@ export function parseLayout(text: string): LayoutState | null {
   } catch {
     return null;
   }
-  const { panels, sizes } = (found ?? {}) as { panels?: unknown; sizes?: unknown };
+  const { panels, sizes, tabs } = (found ?? {}) as { panels?: unknown; sizes?: unknown; tabs?: unknown };
   if (!Array.isArray(panels)) return null;
   const result: LayoutState = { panels: panels.slice(0, kMostPanels).map(panelOf).filter((panel) => panel !== null), sizes: {} };
   for (const place of kDockPlaces) {
     const size = (sizes as Record<string, unknown> | undefined)?.[place];
     if (typeof size === 'number' && size >= kSmallest && size <= kLargest) result.sizes[place] = size;
+    const shown = (tabs as Record<string, unknown> | undefined)?.[place];
+    if (typeof shown === 'number' && shown >= 0 && shown < kMostPanels) (result.tabs ??= {})[place] = shown;
   }
   return result;
 }

@@ -142,6 +142,7 @@ export class Shell {
   private showLayout(state: LayoutState | null): void {
     this.layout.closeAll();
     this.layout.setSizes(state?.sizes ?? {});
+    this.layout.setTabs({});
     if (!state) {
       for (const { kind, settings, title, place } of this.gui.panels) this.layout.add(kind, this.context, settings, title, place);
       return;
@@ -150,6 +151,7 @@ export class Shell {
       const kind = panelFor(id);
       if (kind) this.layout.add(kind, this.context, settings ? settingsOf(settings) : null, title, place, isFolded);
     }
+    this.layout.setTabs(state.tabs ?? {});
   }
 
   /// Forgets the saved layout.

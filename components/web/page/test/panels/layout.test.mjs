@@ -96,6 +96,31 @@ test('the panels are again those that the world asks for, on demand', async () =
   assert.ok(await isUsual());
 });
 
+test('panels of one side are tabs, by mouse and by keys, also after a reload', async () => {
+  const { tab } = page;
+  const tree = panel(tab, 'Entity tree');
+  const inspector = panel(tab, 'Component inspector');
+  await tree.getByRole('button', { name: 'Show the panels of this side as tabs' }).click();
+  const isSeen = async (seen, hidden) => {
+    await seen.waitFor();
+    assert.equal(await hidden.isVisible(), false);
+  };
+  await isSeen(tree, inspector);
+  await tab.getByRole('tab', { name: 'Component inspector' }).click();
+  await isSeen(inspector, tree);
+  await tab.getByRole('tab', { name: 'Component inspector' }).press('ArrowLeft');
+  await isSeen(tree, inspector);
+  await tab.keyboard.press('ArrowRight');
+  await isSeen(inspector, tree);
+  await until(() => hash(tab), (text) => text.includes('"tabs":{"right":1}'), 'the address');
+  await tab.reload();
+  await isSeen(inspector, tree);
+  // a panel that opens there is shown, and with the last but one there are no tabs
+  await inspector.getByRole('button', { name: 'Close Component inspector' }).click();
+  await tree.waitFor();
+  assert.equal(await tab.getByRole('tab').count(), 0);
+});
+
 test('rubbish in the address is no harm', async () => {
   const { tab } = page;
   await tab.goto('about:blank');
