@@ -79,6 +79,31 @@ class Ros2TopicEncoder final : public TopicEncoder {
   std::vector<std::byte> payload_;
 };
 
+class Ros2TopicDecoder final : public TopicDecoder {
+ public:
+  explicit Ros2TopicDecoder(const Pair& pair) : type_(pair.ignition), conversion_(pair.toIgnition({})) {
+    encoding_.type = pair.type().name;
+    encoding_.messageEncoding = "cdr";
+    encoding_.schemaEncoding = "ros2msg";
+    encoding_.schema = pair.definition();
+  }
+
+  const EncodedTopic& encoding() const override { return encoding_; }
+  std::string messageType() const override { return type_; }
+
+  const Message& decode(std::span<const std::byte> payload) override {
+    std::string error;
+    const Message* message = conversion_->convert(payload, error);
+    if (message == nullptr) throw std::runtime_error(error);
+    return *message;
+  }
+
+ private:
+  EncodedTopic encoding_;
+  std::string type_;
+  std::unique_ptr<ToIgnition> conversion_;
+};
+
 }  // namespace
 
 std::unique_ptr<MessageEncoder> Ros2Encoder::make(const EncoderSettings& settings, Diagnostics& diagnostics) {
@@ -138,6 +163,20 @@ std::variant<std::unique_ptr<TopicEncoder>, std::string> Ros2Encoder::openTopic(
   const auto& rules = std::get<std::vector<TopicRule>>(found);
   for (const TopicRule& rule : rules) taken_.emplace(rule.ros, rule);
   return std::make_unique<Ros2TopicEncoder>(rules);
+}
+
+std::variant<std::unique_ptr<TopicDecoder>, std::string> Ros2Encoder::openInput(std::string_view ros,
+                                                                                std::string_view type) {
+  const Pair* usual = nullptr;
+  for (const Pair& pair : allPairs()) {
+    if (pair.ros != ros) continue;
+    if (pair.ignition == type) return std::make_unique<Ros2TopicDecoder>(pair);
+    if (usual == nullptr || (pair.isDefault && !usual->isDefault)) usual = &pair;
+  }
+  if (usual != nullptr && type.empty()) return std::make_unique<Ros2TopicDecoder>(*usual);
+  if (usual != nullptr) return std::string(ros) + " can't be converted to " + std::string(type);
+  const std::string hint = hintOfRosType(ros);
+  return "'" + std::string(ros) + "' is no type of ROS that pongsim knows" + (hint.empty() ? "" : "; " + hint);
 }
 
 }  // namespace pongsim::ros2

@@ -7,6 +7,8 @@
 #include <ignition/msgs/pose_v.pb.h>
 #include <ignition/msgs/twist.pb.h>
 
+#include <cmath>
+
 #include "ros2/pairs/pairs.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/geometry_msgs.hh"
@@ -207,6 +209,37 @@ TEST_F(Ros2EncoderTest, FollowsAConfiguration) {
   EXPECT_EQ(opened(*encoder, "/model/b/tf", kPoses)->topics().size(), 2U);
   const auto fixed = opened(*encoder, "/fixed", kPoses);
   EXPECT_NE(fixed->topics()[0].metadata.at("offered_qos_profiles").find("durability: 1"), std::string::npos);
+}
+
+TEST_F(Ros2EncoderTest, ReadsWhatComesFromRos) {
+  auto opened = plain_.openInput("geometry_msgs/msg/Twist", "");
+  ASSERT_TRUE(std::holds_alternative<std::unique_ptr<TopicDecoder>>(opened)) << std::get<std::string>(opened);
+  TopicDecoder& decoder = *std::get<std::unique_ptr<TopicDecoder>>(opened);
+  EXPECT_EQ(decoder.encoding().type, "geometry_msgs/msg/Twist");
+  EXPECT_EQ(decoder.messageType(), "ignition.msgs.Twist");
+  EXPECT_EQ(decoder.encoding().schema, messageDefinition<geometry_msgs::Twist>());
+  geometry_msgs::Twist ros;
+  ros.linear.x = 0.5;
+  std::vector<std::byte> payload(cdrSize(ros));
+  writeCdr(ros, payload);
+  const Message& message = decoder.decode(payload);
+  ASSERT_EQ(message.GetTypeName(), "ignition.msgs.Twist");
+  EXPECT_EQ(static_cast<const ignition::msgs::Twist&>(message).linear().x(), 0.5);
+  EXPECT_THROW(decoder.decode(std::span(payload).first(7)), std::runtime_error);
+  ros.linear.x = NAN;
+  writeCdr(ros, payload);
+  EXPECT_THROW(decoder.decode(payload), std::runtime_error) << "it is a command";
+}
+
+TEST_F(Ros2EncoderTest, SaysWhichTypesItCanNotRead) {
+  const auto refusalOf = [&](const char* ros, const char* type) {
+    const auto opened = plain_.openInput(ros, type);
+    return std::holds_alternative<std::string>(opened) ? std::get<std::string>(opened) : "";
+  };
+  EXPECT_EQ(refusalOf("geometry_msgs/msg/Twits", "").find("'geometry_msgs/msg/Twits' is no type of ROS"), 0U);
+  EXPECT_EQ(refusalOf("geometry_msgs/msg/Twist", kScan),
+            "geometry_msgs/msg/Twist can't be converted to ignition.msgs.LaserScan");
+  EXPECT_EQ(refusalOf("geometry_msgs/msg/TwistStamped", "ignition.msgs.Twist"), "");
 }
 
 TEST_F(Ros2EncoderTest, SaysWhatIsWrongWithItsSettings) {

@@ -44,9 +44,9 @@ std::shared_ptr<Hub> Hub::open(const ServerSettings& settings, const GzSettings&
 }
 
 Hub::Hub(ServerSettings settings, const GzSettings& gz)
-    : settings_(std::move(settings)), gzSettings_(gz), gz_(worlds_, assets_, gz) {
+    : settings_(std::move(settings)), gzSettings_(gz), gz_(worlds_, assets_, gz), plain_(worlds_, gz_) {
   settings_.findAsset = [this](std::string_view address) { return assets_.find(address); };
-  server_.emplace(settings_, log_, std::vector<Protocol*>{&foxglove_, &gz_});
+  server_.emplace(settings_, log_, std::vector<Protocol*>{&foxglove_, &plain_});
 }
 
 std::filesystem::path installedPage() {

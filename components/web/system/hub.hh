@@ -12,6 +12,7 @@
 #include "web/gz/protocol.hh"
 #include "web/gz/settings.hh"
 #include "web/server/server.hh"
+#include "web/system/plain_protocol.hh"
 #include "web/world/recent_log.hh"
 #include "web/world/worlds.hh"
 
@@ -44,6 +45,7 @@ class Hub {
   RecentLog recentLog_;
   foxglove::FoxgloveProtocol foxglove_{worlds_, channels_, recentLog_, assets_};
   gz::GzProtocol gz_;
+  PlainProtocol plain_;
   // last, because its thread uses the members above
   std::optional<Server> server_;
 };

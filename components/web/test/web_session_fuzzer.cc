@@ -21,6 +21,7 @@
 #include "support/web/stepped_world.hh"
 #include "web/foxglove/protocol.hh"
 #include "web/gz/protocol.hh"
+#include "web/system/plain_protocol.hh"
 
 namespace pongsim::web {
 namespace {
@@ -33,7 +34,7 @@ class NoChannels final : public OwnChannels {
   std::uint64_t version() const override { return 1; }
 };
 
-/// A world that lives as long as the process, with a topic and a service, and both protocols.
+/// A world that lives as long as the process, with a topic and a service, and all protocols.
 struct RunningWorld {
   std::shared_ptr<Worlds> worlds = std::make_shared<Worlds>();
   SteppedWorld world{worlds};
@@ -42,6 +43,7 @@ struct RunningWorld {
   RecentLog log;
   foxglove::FoxgloveProtocol foxglove{worlds, own, log, assets};
   gz::GzProtocol gz{worlds, assets};
+  PlainProtocol plain{worlds, gz};
   Publisher said = world.node().advertise<im::StringMsg>("/said");
   Service control = world.node().serve("/world/w/control", "ignition.msgs.WorldControl", "ignition.msgs.Boolean",
                                        [](const Message&, Message&) { return true; });
@@ -65,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool isFoxglove = *kNames[choice] != '\0';
   const auto client = std::make_shared<RecordedClient>();
   const std::unique_ptr<Session> session =
-      isFoxglove ? running.foxglove.open(kNames[choice], client) : running.gz.open("", client);
+      isFoxglove ? running.foxglove.open(kNames[choice], client) : running.plain.open("", client);
   running.world.step();
   fuzz::splitMessages({data + 1, size - 1}, [&](const std::vector<std::uint8_t>& message, bool isBinary) {
     if (isBinary) {
