@@ -147,11 +147,11 @@ TEST_F(LoaderTest, SumsUpPluginsOfGazeboClassicAndRos) {
 
 TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
   for (const char* filename : {"libgz_ros2_control-system.so", "gz_ros2_control-system", "pongsim-ros2-system",
-                               "ignition-gazebo-log-system"}) {
+                               "ignition-gazebo-log-system", "gz-sim-camera-video-recorder-system"}) {
     EXPECT_EQ(loader_.load(plugin(filename), Loader::Paths::kNeedLeave, kOptional, diagnostics_), nullptr);
   }
   const std::vector<Diagnostic>& all = diagnostics_.all();
-  ASSERT_EQ(all.size(), 3U);
+  ASSERT_EQ(all.size(), 4U);
   const std::string ending = "\n  hint: the package pongsim-ros2 has it: apt-get install pongsim-ros2";
   EXPECT_EQ(format(all[0]),
             "world.sdf:12:5: warning: plugin 'libgz_ros2_control-system.so' is not installed: it is "
@@ -162,6 +162,8 @@ TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
   EXPECT_EQ(format(all[2]),
             "world.sdf:12:5: warning: plugin 'ignition-gazebo-log-system' is not installed: it is left out\n"
             "  hint: the package pongsim-log has it: apt-get install pongsim-log");
+  EXPECT_NE(format(all[3]).find("\n  hint: the package pongsim-video has it: apt-get install pongsim-video"),
+            std::string::npos);
 }
 
 TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {

@@ -39,6 +39,8 @@ class Check {
  private:
   void addPluginsOf(const description::Model& model) {
     addPlugins(model.plugins);
+    description::forEachOwnSensor(
+        model, [this](const description::Sensor& sensor, const std::string&) { addPlugins(sensor.plugins); });
     for (const description::Model& nested : model.models) addPluginsOf(nested);
   }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/is_below.hh"
+#include "description/model_sensors.hh"
 #include "plugin/core_systems.hh"
 #include "plugin/sensor_plugins.hh"
 #include "plugin/system_name.hh"
@@ -45,6 +46,22 @@ bool isOfSensors(const Declaration& declaration) {
   return declaration.place() == Declaration::Place::kWorld && !declaration.readings().empty();
 }
 
+/// Tells a system in a `<sensor>` which one it is in, by its parameter `<sensor>`.
+/// @param sensor "link::sensor"
+/// @return False if it has no such parameter: then it does not belong there.
+bool tellSensor(const std::string& sensor, const Declaration& declaration, Element& plugin) {
+  constexpr const char* kSensor = "sensor";
+  if (std::ranges::find(declaration.parameters(), kSensor, &Parameter::name) == declaration.parameters().end()) {
+    return false;
+  }
+  std::erase_if(plugin.children, [](const Element& child) { return child.name == kSensor; });
+  plugin.children.emplace_back();
+  plugin.children.back().name = kSensor;
+  plugin.children.back().text = sensor;
+  plugin.children.back().position = plugin.position;
+  return true;
+}
+
 /// @return The index of the first sensor of `model`, which is the last one of the world.
 std::size_t firstSensor(const world::Entities& entities, world::Slot model) {
   const std::uint64_t id = entities.models()[model].id.value;
@@ -69,6 +86,12 @@ std::optional<Declaration> declared(System& system, const std::string& name, con
 }
 
 }  // namespace
+
+std::string_view SystemSet::Holder::element() const {
+  if (!sensor.empty()) return "<sensor>";
+  if (actor != nullptr) return "<actor>";
+  return model != world::kNoSlot ? "<model>" : "<world>";
+}
 
 void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
                      Diagnostics& diagnostics) {
@@ -130,8 +153,16 @@ void SystemSet::loadModelPlugins(world::Slot model, const Origin& origin, Diagno
 
 void SystemSet::loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics) {
   if (!loadsPlugins_) return;
-  const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
-  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, origin, diagnostics);
+  const description::Model& description = *access_.entities.models()[model].description;
+  std::size_t number = 0;
+  for (const description::Plugin& plugin : description.plugins) {
+    add(plugin, number++, {.model = model}, origin, diagnostics);
+  }
+  description::forEachOwnSensor(description, [&](const description::Sensor& sensor, const std::string& holder) {
+    for (const description::Plugin& plugin : sensor.plugins) {
+      add(plugin, number++, {.model = model, .sensor = holder + "::" + sensor.name}, origin, diagnostics);
+    }
+  });
 }
 
 bool SystemSet::isFromServer(const std::shared_ptr<const std::string>& file) {
@@ -145,8 +176,7 @@ bool SystemSet::isFromServer(const std::shared_ptr<const std::string>& file) {
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
                     Diagnostics& diagnostics) {
   if (const plugin::CoreSystem* core = plugin::coreSystem(plugin.filename); core != nullptr && !core->holders.empty()) {
-    const char* here = holder.actor != nullptr ? "<actor>" : holder.model != world::kNoSlot ? "<model>" : "<world>";
-    if (core->holders.find(here) == std::string::npos) {
+    if (core->holders.find(holder.element()) == std::string::npos) {
       diagnostics.warning(plugin.sdf.position, core->name + " is left out: it belongs in " + core->holders);
     }
     return;
@@ -163,6 +193,11 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     if (system != nullptr) declaration = declared(*system, name, plugin.sdf.position, diagnostics);
   }
   if (!declaration) return;
+  Element sdf = plugin.sdf;
+  if (!holder.sensor.empty() && !isOfSensors(*declaration) && !tellSensor(holder.sensor, *declaration, sdf)) {
+    diagnostics.warning(plugin.sdf.position, name + " is left out: it does not belong in a <sensor>");
+    return;
+  }
 
   std::optional<Model> model;
   std::optional<Actor> actor;
@@ -190,7 +225,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   }
   const bool isBelow = nameSpace != nullptr && !nameSpace->empty();
   const Node node = isBelow ? transport_.node().below(*nameSpace) : transport_.node();
-  start({model ? model->id() : ModelId(), number, name, isStandIn ? Element() : plugin.sdf, node,
+  start({model ? model->id() : ModelId(), number, name, isStandIn ? Element() : std::move(sdf), node,
          stream(SystemSlot::streamOf(name, number)), std::move(system), *std::move(declaration),
          actor ? actor->id() : ActorId(), where(), false, origin.isFromOutside, endsWithReset, origin.isWatcher},
         model, actor, diagnostics);

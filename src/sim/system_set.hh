@@ -121,10 +121,15 @@ class SystemSet {
   void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   bool isFromServer(const std::shared_ptr<const std::string>& file);
-  /// The parent of a `<plugin>`: a model, an actor, or if neither, the world.
+  /// The parent of a `<plugin>`: a model, a sensor in it, an actor, or if none of these, the world.
   struct Holder {
     world::Slot model = world::kNoSlot;
     const world::ActorRecord* actor = nullptr;
+    /// "link::sensor"; empty: none.
+    std::string sensor = {};
+
+    /// @return "<model>"
+    std::string_view element() const;
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Origin origin,
            Diagnostics& diagnostics);
