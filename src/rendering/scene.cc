@@ -154,6 +154,7 @@ void Scene::setColors(const std::optional<Vector3>& background, const std::optio
 
 void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
   items_.clear();
+  limbs_.clear();
   visuals_.clear();
   airTemperature_ = entities.description().environment.atmosphere.temperature;
   ++version_;
@@ -182,9 +183,33 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
 void Scene::addActor(const description::Actor& actor, Diagnostics& diagnostics) {
   Item prototype;
   prototype.actor = &actor;
+  const std::size_t before = visuals_.size();
   for (const description::Visual& visual : description::visualsOf(actor)) {
     visuals_.push_back({actor.name, actor.label});
+    const std::size_t first = items_.size();
     addVisual(visual, prototype, "visual '" + visual.name + "' of actor '" + actor.name + "'", diagnostics);
+    const bool isSkin = !actor.skin.uri.empty() && visuals_.size() == before + 1;
+    if (isSkin) addLimbs(actor, first, diagnostics);
+  }
+}
+
+void Scene::addLimbs(const description::Actor& actor, std::size_t first, Diagnostics& diagnostics) {
+  const auto [known, isNew] = figures_.try_emplace(&actor);
+  if (isNew) {
+    known->second = assets::Figure::load(actor, [&](const std::filesystem::path& file, const assets::Problem& problem) {
+      diagnostics.warning(actor.position,
+                          "'" + file.string() + "' " + problem.text +
+                              ": cameras will not see it move the limbs of actor '" + actor.name + "'",
+                          problem.hint);
+    });
+  }
+  if (known->second == nullptr) return;
+  for (std::size_t i = first; i < items_.size(); ++i) {
+    Limbs limbs{&actor, known->second, i, items_[i].surface, {}, {}};
+    for (const Vertex& vertex : limbs.atRest->vertices) {
+      limbs.influences.push_back(known->second->influencesAt(vertex.position.cast<double>()));
+    }
+    limbs_.push_back(std::move(limbs));
   }
 }
 
@@ -258,6 +283,7 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
     item.X_WorldLink =
         item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }
+  pose(state);
   time_ = state.time;
   lamps_.clear();
   for (const world::LightRecord& record : world::present(entities.lights())) {
@@ -265,6 +291,27 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
     if (!light.isOn || light.intensity <= 0) continue;
     const Pose X_WorldParent = record.link == world::kNoSlot ? Pose() : state.links[record.link].X_WorldLink;
     lamps_.push_back({&light, X_WorldParent * light.X_ParentLight});
+  }
+}
+
+void Scene::pose(const world::State& state) {
+  for (Limbs& limbs : limbs_) {
+    assets::Gait gait = world::actorGait(*limbs.actor, state);
+    if (gait == limbs.gait) continue;
+    const assets::Figure::Bones bones = limbs.figure->bonesIn(gait);
+    auto surface = std::make_shared<Surface>(*limbs.atRest);
+    for (std::size_t i = 0; i < surface->vertices.size(); ++i) {
+      if (limbs.influences[i] == nullptr) continue;
+      Vertex& vertex = surface->vertices[i];
+      const Eigen::Affine3d move = assets::Figure::blend(*limbs.influences[i], bones);
+      vertex.position = (move * vertex.position.cast<double>()).cast<float>();
+      vertex.normal = (move.linear() * vertex.normal.cast<double>()).cast<float>().stableNormalized();
+    }
+    items_[limbs.item].bounds = surface->bounds();
+    items_[limbs.item].surface = std::move(surface);
+    limbs.gait = std::move(gait);
+    // what shows the last gait is not needed any more
+    ++version_;
   }
 }
 

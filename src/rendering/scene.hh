@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "assets/figures/figure.hh"
 #include "assets/images/picture_file.hh"
 #include "assets/problem.hh"
 #include "description/actor.hh"
@@ -117,7 +118,7 @@ class Scene {
   const description::Scene& surroundings() const { return surroundings_; }
   /// @return Simulated time of the last `update`.
   Time time() const { return time_; }
-  /// @return A number that increases whenever items are added or removed.
+  /// @return A number that increases whenever items are added or removed, or have another surface.
   std::uint64_t version() const { return version_; }
 
   /// See `CameraScene::bounds`; `kNoSlot` means all models.
@@ -127,8 +128,13 @@ class Scene {
 
  private:
   void addActor(const description::Actor& actor, Diagnostics& diagnostics);
+  /// @param first Of the items of its skin.
+  void addLimbs(const description::Actor& actor, std::size_t first, Diagnostics& diagnostics);
   void addVisual(const description::Visual& visual, const Item& prototype, const std::string& owner,
                  Diagnostics& diagnostics);
+
+  /// Bends the limbs of actors.
+  void pose(const world::State& state);
 
   std::shared_ptr<const assets::Picture> pictureOf(const std::filesystem::path& file, const Warn& warn);
 
@@ -153,6 +159,20 @@ class Scene {
   std::map<std::filesystem::path, std::shared_ptr<const assets::Picture>> pictures_;
   /// Warnings already given.
   std::set<std::string> said_;
+  /// An actor whose limbs move.
+  struct Limbs {
+    const description::Actor* actor;
+    std::shared_ptr<const assets::Figure> figure;
+    /// Of its skin, in `items_`.
+    std::size_t item;
+    std::shared_ptr<const Surface> atRest;
+    /// Of each vertex; null: it stays.
+    std::vector<const std::vector<assets::Skeleton::Influence>*> influences;
+    std::optional<assets::Gait> gait;
+  };
+  std::vector<Limbs> limbs_;
+  /// By actor; null where limbs don't move.
+  std::map<const description::Actor*, std::shared_ptr<const assets::Figure>> figures_;
 };
 
 }  // namespace pongsim::rendering

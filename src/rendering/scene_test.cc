@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/assets/figure_file.hh"
 #include "support/rendering/drawn_world.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::rendering {
 namespace {
@@ -63,6 +65,33 @@ TEST_F(Pictures, ShowActorsWhereTheyGo) {
   EXPECT_NEAR(world.depths(eye)[40], 4.5, 1e-5);
   EXPECT_TRUE(world.scene().actorBounds("a").center().isApprox(Vector3(5, 0, 0), 1e-5));
   EXPECT_TRUE(world.scene().actorBounds("b").isEmpty());
+}
+
+TEST_F(Pictures, ShowTheHandsOfActorsWhereTheirSkeletonsSay) {
+  const pongsim::test::TempFolder folder;
+  DrawnWorld world;
+  description::Actor& actor = world.description().actors.emplace_back();
+  actor.name = "a";
+  actor.skin = {"skin.dae", folder.write("skin.dae", pongsim::test::FigureFile{.moves = false}.text())};
+  actor.animations.push_back({"walk", {"walk.dae", folder.write("walk.dae", pongsim::test::FigureFile().text())}});
+  const Pose place{{5, 0, 0}, Quaternion::Identity()};
+  actor.trajectories.push_back({.id = 0, .type = "walk", .waypoints = {{0, place}, {1, place}}});
+  world.start();
+  EXPECT_TRUE(world.warnings().empty());
+  const PictureView eye = view(61, 61, 50);
+  const auto depthAt = [&](const Vector3& point) {
+    const auto column = static_cast<std::size_t>(eye.cx - eye.fx * point.y() / point.x());
+    const auto row = static_cast<std::size_t>(eye.cy - eye.fy * point.z() / point.x());
+    return world.depths(eye)[row * eye.width + column];
+  };
+  // the arm turns from upright to the right
+  const Vector3 up(5, 0, 1.1), right(5, -0.61, 0.5);
+  EXPECT_NEAR(depthAt(up), 5, 1e-4);
+  EXPECT_TRUE(std::isinf(depthAt(right)));
+  world.letPass(std::chrono::seconds(1));
+  EXPECT_NEAR(depthAt(right), 5, 1e-4);
+  EXPECT_TRUE(std::isinf(depthAt(up)));
+  EXPECT_NEAR(world.scene().actorBounds("a").min().y(), -0.7, 1e-5);
 }
 
 TEST_F(Pictures, ShowConesWithTheTipUp) {

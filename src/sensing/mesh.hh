@@ -17,6 +17,7 @@ class Mesh {
   Mesh(RTCDevice device, std::shared_ptr<const description::TriangleMesh> triangles);
 
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+  const std::shared_ptr<const description::TriangleMesh>& triangles() const { return triangles_; }
 
   /// @return The first hit on the line between `from` and `to`, in lengths of its direction; infinity without one.
   /// Triangles are hit from outside, where their vertices are counter-clockwise, or from either side if `seesInside`.

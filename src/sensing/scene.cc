@@ -52,6 +52,7 @@ void add(Object object, Group& group, std::size_t& count, const world::State& st
 Scene::Scene() : device_(embree().newDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
 
 void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
+  limbs_.clear();
   still_.objects().clear();
   moving_.objects().clear();
   std::size_t count = 0;
@@ -67,19 +68,64 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
     }
   }
   for (const world::ActorRecord& actor : world::present(entities.actors())) {
-    for (const description::Visual& visual : description::visualsOf(*actor.description)) {
+    const std::vector<description::Visual> visuals = description::visualsOf(*actor.description);
+    for (const description::Visual& visual : visuals) {
       std::optional<Object> object = read(visual, "actor '" + actor.description->name + "'", diagnostics);
       if (!object) continue;
       object->actor = actor.description;
       add(std::move(*object), moving_, count, state);
+      if (&visual == &visuals.front() && !actor.description->skin.uri.empty()) {
+        addLimbs(*actor.description, diagnostics);
+      }
     }
   }
+  pose(state);
   commit();
+}
+
+void Scene::addLimbs(const description::Actor& actor, Diagnostics& diagnostics) {
+  const auto [known, isNew] = figures_.try_emplace(&actor);
+  if (isNew) {
+    known->second = assets::Figure::load(actor, [&](const std::filesystem::path& file, const assets::Problem& problem) {
+      diagnostics.warning(actor.position,
+                          "'" + file.string() + "' " + problem.text +
+                              ": sensors will not see it move the limbs of actor '" + actor.name + "'",
+                          problem.hint);
+    });
+  }
+  const auto* mesh = std::get_if<const Mesh*>(&moving_.objects().back().body);
+  if (known->second == nullptr || mesh == nullptr) return;
+  Limbs limbs{&actor, known->second, moving_.objects().size() - 1, (*mesh)->triangles(), {}, {}, {}};
+  for (const Vector3& vertex : limbs.atRest->vertices) {
+    limbs.influences.push_back(known->second->influencesAt(vertex));
+  }
+  limbs_.push_back(std::move(limbs));
+}
+
+bool Scene::pose(const world::State& state) {
+  bool hasMoved = false;
+  for (Limbs& limbs : limbs_) {
+    assets::Gait gait = world::actorGait(*limbs.actor, state);
+    if (gait == limbs.gait) continue;
+    const assets::Figure::Bones bones = limbs.figure->bonesIn(gait);
+    auto mesh = std::make_shared<TriangleMesh>(*limbs.atRest);
+    for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
+      if (limbs.influences[i] == nullptr) continue;
+      mesh->vertices[i] = assets::Figure::blend(*limbs.influences[i], bones) * mesh->vertices[i];
+    }
+    limbs.mesh = std::make_unique<const Mesh>(device_.get(), std::move(mesh));
+    Object& object = moving_.objects()[limbs.object];
+    object.body = limbs.mesh.get();
+    object.bounds = limbs.mesh->bounds();
+    limbs.gait = std::move(gait);
+    hasMoved = true;
+  }
+  return hasMoved;
 }
 
 void Scene::update(const world::State& state) {
   for (Group* group : {&still_, &moving_}) {
-    bool hasMoved = false;
+    bool hasMoved = group == &moving_ && pose(state);
     for (Object& object : group->objects()) {
       const Pose X_WorldLink = poseOf(object, state);
       if (object.X_WorldLink == X_WorldLink) continue;

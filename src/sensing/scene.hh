@@ -9,7 +9,9 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "assets/figures/figure.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/beam_scene.hh"
 #include "pongsim/sensing/ray_scene.hh"
@@ -68,10 +70,32 @@ class Scene {
   /// @return The visual without its place; nothing if it is not visible.
   std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics);
 
+  /// Makes the last object of `moving_` one whose limbs move, if they do.
+  void addLimbs(const description::Actor& actor, Diagnostics& diagnostics);
+  /// Bends the limbs of actors.
+  /// @return Whether any has moved.
+  bool pose(const world::State& state);
+
+  /// An actor whose limbs move.
+  struct Limbs {
+    const description::Actor* actor;
+    std::shared_ptr<const assets::Figure> figure;
+    /// Of its skin, in `moving_`.
+    std::size_t object;
+    std::shared_ptr<const description::TriangleMesh> atRest;
+    /// Of each vertex; null: it stays.
+    std::vector<const std::vector<assets::Skeleton::Influence>*> influences;
+    std::optional<assets::Gait> gait;
+    std::unique_ptr<const Mesh> mesh;
+  };
+
   DevicePointer device_;
   RayGeometryReader reader_;
   /// One for all visuals with the same triangles.
   std::map<std::shared_ptr<const description::TriangleMesh>, Mesh> meshes_;
+  /// By actor; null where limbs don't move.
+  std::map<const description::Actor*, std::shared_ptr<const assets::Figure>> figures_;
+  std::vector<Limbs> limbs_;
   /// Warnings that were given.
   std::set<std::string> said_;
   /// Largest distance of beam origins from the world's origin [m].

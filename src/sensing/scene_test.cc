@@ -13,6 +13,7 @@
 
 #include "pongsim/geometry/rotation_between.hh"
 #include "sensing/shape.hh"
+#include "support/assets/figure_file.hh"
 #include "support/png_file.hh"
 #include "support/temp_folder.hh"
 #include "support/visual_world.hh"
@@ -335,6 +336,29 @@ TEST(BeamScene, SeesActorsWhereTheyGo) {
   EXPECT_NEAR(world.cast(from({})).range, 6, 1e-12);
   world.letPass(std::chrono::seconds(2));
   EXPECT_EQ(world.cast(from({})).range, kNowhere);
+}
+
+TEST(BeamScene, SeesTheHandsOfActorsWhereTheirSkeletonsSay) {
+  const test::TempFolder folder;
+  BeamWorld world;
+  description::Actor& actor = world.description().actors.emplace_back();
+  actor.name = "a";
+  actor.skin = {"skin.dae", folder.write("skin.dae", test::FigureFile{.moves = false}.text())};
+  actor.animations.push_back({"walk", {"walk.dae", folder.write("walk.dae", test::FigureFile().text())}});
+  actor.animations.push_back({"run", {"run.bvh", folder.write("run.bvh", "HIERARCHY")}});
+  actor.trajectories.push_back({.id = 0, .type = "walk", .waypoints = {{0, at(5)}, {1, at(5)}}});
+  world.start();
+  ASSERT_EQ(world.warnings().size(), 1U);
+  EXPECT_EQ(world.warnings()[0].message,
+            "'" + actor.animations[1].source.file.string() +
+                "' is no Collada file (.dae): sensors will not see it move the limbs of actor 'a'");
+  // the arm turns from upright to the right
+  const Pose before{{0, 0, 1.1}, Quaternion::Identity()}, behind{{0, -0.61, 0.5}, Quaternion::Identity()};
+  EXPECT_NEAR(world.cast(from(before)).range, 5, 1e-9);
+  EXPECT_EQ(world.cast(from(behind)).range, kNowhere);
+  world.letPass(std::chrono::seconds(1));
+  EXPECT_NEAR(world.cast(from(behind)).range, 5, 1e-9);
+  EXPECT_EQ(world.cast(from(before)).range, kNowhere);
 }
 
 TEST(BeamScene, SeesNothingFromOutOfAllMeasure) {

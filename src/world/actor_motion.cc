@@ -103,9 +103,14 @@ double durationOf(const Trajectory& trajectory) {
   return duration;
 }
 
-}  // namespace
+/// A trajectory, and the time on it.
+struct Progress {
+  /// Null: without waypoints nobody goes anywhere.
+  const Trajectory* trajectory = nullptr;
+  double time = 0;
+};
 
-Pose actorPose(const description::Actor& actor, Time time) {
+Progress progressAt(const description::Actor& actor, Time time) {
   double whole = 0;
   for (const Trajectory& trajectory : actor.trajectories) whole += durationOf(trajectory);
   double rest = std::max(0.0, toSeconds(time) - actor.startDelay);
@@ -114,7 +119,6 @@ Pose actorPose(const description::Actor& actor, Time time) {
   const Trajectory* current = nullptr;
   double begin = 0;
   for (const Trajectory& trajectory : actor.trajectories) {
-    // without waypoints nobody goes anywhere
     if (trajectory.waypoints.empty()) continue;
     if (current != nullptr) {
       if (rest <= begin + durationOf(*current)) break;
@@ -122,13 +126,55 @@ Pose actorPose(const description::Actor& actor, Time time) {
     }
     current = &trajectory;
   }
-  if (current == nullptr) return actor.X_WorldActor;
-  return actor.X_WorldActor * Way(*current).at(rest - begin);
+  return {current, rest - begin};
+}
+
+/// @return How far it is from waypoint to waypoint until then; as in Fortress straight, and at an even pace.
+double distanceAt(const Progress& progress) {
+  std::vector<Waypoint> points = progress.trajectory->waypoints;
+  std::ranges::stable_sort(points, {}, &Waypoint::time);
+  double distance = 0;
+  for (std::size_t i = 0; i + 1 < points.size() && points[i].time < progress.time; ++i) {
+    const double length = (points[i + 1].X_ActorWaypoint.position - points[i].X_ActorWaypoint.position).norm();
+    const double duration = points[i + 1].time - points[i].time;
+    distance += duration > 0 ? length * std::min(1.0, (progress.time - points[i].time) / duration) : 0;
+  }
+  return distance;
+}
+
+}  // namespace
+
+Pose actorPose(const description::Actor& actor, Time time) {
+  const Progress progress = progressAt(actor, time);
+  if (progress.trajectory == nullptr) return actor.X_WorldActor;
+  return actor.X_WorldActor * Way(*progress.trajectory).at(progress.time);
 }
 
 Pose actorPose(const description::Actor& actor, const State& state) {
   const auto moved = std::ranges::find(state.actors, &actor, &ActorState::description);
   return moved == state.actors.end() ? actorPose(actor, state.time) : moved->X_WorldActor;
+}
+
+assets::Gait actorGait(const description::Actor& actor, const State& state) {
+  assets::Gait gait;
+  const auto moved = std::ranges::find(state.actors, &actor, &ActorState::description);
+  if (moved != state.actors.end()) {
+    gait.animation = moved->animation;
+    gait.time = toSeconds(moved->animationTime);
+    return gait;
+  }
+  gait.loops = actor.loops;
+  const Progress progress = progressAt(actor, state.time);
+  if (progress.trajectory == nullptr) {
+    if (!actor.trajectories.empty()) gait.animation = actor.trajectories.front().type;
+    gait.time = std::max(0.0, toSeconds(state.time) - actor.startDelay);
+    gait.isOnPath = false;
+    return gait;
+  }
+  gait.animation = progress.trajectory->type;
+  gait.time = progress.time;
+  gait.distance = distanceAt(progress);
+  return gait;
 }
 
 }  // namespace pongsim::world

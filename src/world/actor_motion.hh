@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assets/figures/gait.hh"
 #include "description/actor.hh"
 #include "pongsim/types.hh"
 #include "world/state.hh"
@@ -17,5 +18,9 @@ Pose actorPose(const description::Actor& actor, Time time);
 
 /// @return Its current pose: as above, unless a system has moved it.
 Pose actorPose(const description::Actor& actor, const State& state);
+
+/// @return What its limbs do: the animation of its trajectory, from the beginning of that on, unless a system has set
+/// another. As in Fortress, an actor without trajectories has the motion in the file of its skin.
+assets::Gait actorGait(const description::Actor& actor, const State& state);
 
 }  // namespace pongsim::world

@@ -102,6 +102,28 @@ TEST(ActorMotion, GoesAlongOneTrajectoryAfterTheOther) {
   expectPlace(poseAt(actor, 6), 4, 0);
 }
 
+TEST(ActorMotion, TellsWhatTheLimbsDo) {
+  description::World description;
+  Actor& actor = description.actors.emplace_back(walker());
+  actor.trajectories[0].type = "walk";
+  Entities entities(description);
+  State state(entities);
+  state.time = std::chrono::milliseconds(2500);
+  const assets::Gait onTheWay = actorGait(actor, state);
+  EXPECT_EQ(onTheWay.animation, "walk");
+  EXPECT_EQ(onTheWay.time, 2.5);
+  EXPECT_NEAR(onTheWay.distance, 5, 1e-12);
+  EXPECT_TRUE(onTheWay.isOnPath && onTheWay.loops);
+  // three seconds on it begins again
+  state.time = std::chrono::milliseconds(4000);
+  EXPECT_EQ(actorGait(actor, state).time, 1);
+  state.actors.push_back({&actor, {}, "run", std::chrono::seconds(7)});
+  EXPECT_EQ(actorGait(actor, state), (assets::Gait{.animation = "run", .time = 7}));
+  state.actors.clear();
+  actor.trajectories.clear();
+  EXPECT_EQ(actorGait(actor, state), (assets::Gait{.animation = "", .time = 4, .isOnPath = false}));
+}
+
 TEST(ActorMotion, HasWaypointsInTheFrameOfTheActor) {
   Actor actor = walker();
   actor.X_WorldActor = place(10, 20, kPi / 2);

@@ -48,10 +48,6 @@ void readAnimations(const Element& element, const std::string& label, descriptio
     animation.source = readFile(*child, context);
     animation.followsPath = readFlag(*child, "interpolate_x", animation.followsPath, context);
     names.claim(animation.name, child->name, *child, context);
-    if (context.firstTime("kind animation")) {
-      context.unsimulated.warning(child->position, "<animation> is not simulated yet: the limbs of actors do not move",
-                                  "they only follow their trajectories");
-    }
     actor.animations.push_back(std::move(animation));
   }
 }
