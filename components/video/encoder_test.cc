@@ -16,7 +16,6 @@
 
 #include "support/temp_folder.hh"
 #include "support/video/decoded_video.hh"
-#include "video/recording.hh"
 
 namespace pongsim::video {
 namespace {
@@ -115,24 +114,6 @@ TEST(Encoder, RefusesWhatIsNoVideo) {
   const VideoSettings settings{.width = 64, .height = 48};
   Outcome<std::unique_ptr<Encoder>> encoder = Encoder::create(folder.path() / "b", settings);
   EXPECT_EQ((*encoder)->add(0, plain({.width = 8, .height = 8}, kColors[0])).error, "an image has too few pixels");
-}
-
-TEST(Recording, EncodesAllImagesInTheirOrder) {
-  const test::TempFolder folder;
-  const VideoSettings settings{.width = 64, .height = 48};
-  Outcome<std::unique_ptr<Encoder>> encoder = Encoder::create(folder.path() / "a", settings);
-  ASSERT_TRUE(encoder);
-  Recording recording(std::move(*encoder));
-  for (int i = 0; i < 40; ++i) {
-    const std::vector<std::uint8_t> image = plain(settings, kColors[static_cast<std::size_t>(i % 4)]);
-    EXPECT_TRUE(recording.add(i, {image.begin(), image.end()}));
-  }
-  EXPECT_TRUE(recording.complete());
-  const test::DecodedVideo video = test::decodedVideo(folder.path() / "a");
-  ASSERT_EQ(video.frames.size(), 40U);
-  for (std::size_t i = 0; i < 40; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(video.frames[i].color[c], kColors[i % 4][c], 8) << i;
-  }
 }
 
 }  // namespace
