@@ -39,6 +39,9 @@ class Check {
  private:
   void addPluginsOf(const description::Model& model) {
     addPlugins(model.plugins);
+    for (const description::Link& link : model.links) {
+      for (const description::Visual& visual : link.visuals) addPlugins(visual.plugins);
+    }
     description::forEachOwnSensor(
         model, [this](const description::Sensor& sensor, const std::string&) { addPlugins(sensor.plugins); });
     for (const description::Model& nested : model.models) addPluginsOf(nested);

@@ -89,6 +89,7 @@ std::optional<Declaration> declared(System& system, const std::string& name, con
 
 std::string_view SystemSet::Holder::element() const {
   if (!sensor.empty()) return "<sensor>";
+  if (isVisual) return "<visual>";
   if (actor != nullptr) return "<actor>";
   return model != world::kNoSlot ? "<model>" : "<world>";
 }
@@ -158,6 +159,13 @@ void SystemSet::loadOwnPlugins(world::Slot model, const Origin& origin, Diagnost
   for (const description::Plugin& plugin : description.plugins) {
     add(plugin, number++, {.model = model}, origin, diagnostics);
   }
+  for (const description::Link& link : description.links) {
+    for (const description::Visual& visual : link.visuals) {
+      for (const description::Plugin& plugin : visual.plugins) {
+        add(plugin, number++, {.model = model, .isVisual = true}, origin, diagnostics);
+      }
+    }
+  }
   description::forEachOwnSensor(description, [&](const description::Sensor& sensor, const std::string& holder) {
     for (const description::Plugin& plugin : sensor.plugins) {
       add(plugin, number++, {.model = model, .sensor = holder + "::" + sensor.name}, origin, diagnostics);
@@ -194,8 +202,11 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   }
   if (!declaration) return;
   Element sdf = plugin.sdf;
-  if (!holder.sensor.empty() && !isOfSensors(*declaration) && !tellSensor(holder.sensor, *declaration, sdf)) {
-    diagnostics.warning(plugin.sdf.position, name + " is left out: it does not belong in a <sensor>");
+  const bool belongsHere = !holder.isVisual && (holder.sensor.empty() || isOfSensors(*declaration) ||
+                                                tellSensor(holder.sensor, *declaration, sdf));
+  if (!belongsHere) {
+    diagnostics.warning(plugin.sdf.position,
+                        name + " is left out: it does not belong in a " + std::string(holder.element()));
     return;
   }
 

@@ -121,12 +121,13 @@ class SystemSet {
   void loadModelPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, const Origin& origin, Diagnostics& diagnostics);
   bool isFromServer(const std::shared_ptr<const std::string>& file);
-  /// The parent of a `<plugin>`: a model, a sensor in it, an actor, or if none of these, the world.
+  /// The parent of a `<plugin>`: a model, a sensor or a visual in it, an actor, or if none of these, the world.
   struct Holder {
     world::Slot model = world::kNoSlot;
     const world::ActorRecord* actor = nullptr;
     /// "link::sensor"; empty: none.
     std::string sensor = {};
+    bool isVisual = false;
 
     /// @return "<model>"
     std::string_view element() const;

@@ -3,9 +3,11 @@
 #include <ignition/msgs/imu.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "pongsim/simulation.hh"
 #include "pongsim/system.hh"
@@ -48,6 +50,29 @@ TEST(SystemSet, WarnsThatNothingMovesWherePhysicsIsMissing) {
   EXPECT_EQ(fallenAfterASecond(text, {}, diagnostics), 0);
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(diagnostics.all()[0].message, "world 'w' lists systems, but not physics: nothing will move");
+}
+
+TEST(SystemSet, ReportsPluginsOfVisualsAndSensorsLikeOthers) {
+  const auto plugin = [](const std::string& system) {
+    return "<plugin filename='ignition-gazebo-" + system + "-system' name='ignition::gazebo::systems::X'/>";
+  };
+  const std::string text =
+      "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-system' "
+      "name='ignition::gazebo::systems::Physics'/><model name='m'><link name='l'><visual name='v'>" +
+      plugin("shader-param") + plugin("label") + "</visual><visual name='u'>" + plugin("shader-param") +
+      "</visual><sensor name='s' type='contact'>" + plugin("nothing-of-ours") +
+      "</sensor></link></model></world></sdf>";
+  Diagnostics diagnostics;
+  ASSERT_NE(Simulation::fromText(text, "world.sdf", {}, diagnostics), nullptr);
+  std::vector<std::string> said;
+  for (const Diagnostic& each : diagnostics.all()) said.push_back(each.message);
+  EXPECT_TRUE(std::ranges::count(said,
+                                 "plugin 'ignition-gazebo-shader-param-system' is a system of Gazebo that is not "
+                                 "supported yet: it is left out") == 1)
+      << testing::PrintToString(said);
+  EXPECT_TRUE(
+      std::ranges::count(said, "plugin 'ignition-gazebo-nothing-of-ours-system' was not found: it is left out") == 1)
+      << testing::PrintToString(said);
 }
 
 TEST(SystemSet, IgnoresPluginsWhenAskedTo) {
