@@ -68,7 +68,8 @@ test('it gets as few messages as it asks for', async () => {
   slow.subscribe(() => times.push(Date.now()));
   await until(() => times.length >= 5, 'five messages');
   slow.unsubscribe();
-  assert.ok(times[4] - times[0] > 800, `five in ${times[4] - times[0]} ms`);
+  // messages that are on their way may be late, but without the limit there are a thousand per second
+  assert.ok(times[4] - times[0] > 400, `five in ${times[4] - times[0]} ms`);
 });
 
 test('it publishes', async () => {
