@@ -265,7 +265,7 @@ std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& he
   return Warmth{std::min(coldest, hottest), std::max(coldest, hottest), pictureOf(heat->signature, warn)};
 }
 
-void Scene::paint(const std::map<VisualId, NewColor>& colors) {
+void Scene::paint(const std::map<VisualId, world::NewColor>& colors) {
   if (colors.empty() && !isPainted_) return;
   isPainted_ = !colors.empty();
   for (Item& item : items_) {

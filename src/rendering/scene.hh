@@ -21,10 +21,10 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
-#include "rendering/new_color.hh"
 #include "rendering/paint.hh"
 #include "rendering/surface.hh"
 #include "world/entities.hh"
+#include "world/new_color.hh"
 #include "world/state.hh"
 
 namespace pongsim::rendering {
@@ -105,7 +105,7 @@ class Scene {
 
   /// Gives visuals other colours, and all others those of the file again.
   /// @param colors Red, green, blue, 0 to 1.
-  void paint(const std::map<VisualId, NewColor>& colors);
+  void paint(const std::map<VisualId, world::NewColor>& colors);
 
   /// Updates the poses of what has moved, and the lights.
   /// @param state Of the same entities.

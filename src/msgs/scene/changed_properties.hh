@@ -5,6 +5,7 @@
 
 #include "description/link.hh"
 #include "pongsim/types.hh"
+#include "world/new_color.hh"
 
 namespace pongsim::msgs {
 
@@ -16,8 +17,7 @@ struct ChangedProperties {
     /// How many times the moments of inertia of the file the present ones are.
     double inertiaFactor = 1;
   };
-  /// Red, green, blue, 0 to 1.
-  std::map<VisualId, Vector3> colors;
+  std::map<VisualId, world::NewColor> colors;
   std::map<LinkId, Mass> masses;
 };
 

@@ -9,7 +9,7 @@ TEST(ChangedProperties, GiveVisualsTheirColors) {
   description::Visual visual;
   const VisualId id{3};
   EXPECT_FALSE(materialNow(visual, id, {}));
-  const ChangedProperties red{{{id, Vector3(1, 0, 0)}}, {}};
+  const ChangedProperties red{{{id, {Vector3(1, 0, 0)}}}, {}};
   EXPECT_EQ(materialNow(visual, id, red)->diffuse.red, 1) << "also of one without a material";
   visual.material.emplace();
   visual.material->diffuse.alpha = 0.5F;
@@ -20,6 +20,8 @@ TEST(ChangedProperties, GiveVisualsTheirColors) {
   EXPECT_EQ(now.diffuse.alpha, 0.5F);
   EXPECT_EQ(now.ambient.red, 1);
   EXPECT_FALSE(now.isLit);
+  EXPECT_EQ(now.emissive.red, 0);
+  EXPECT_EQ(materialNow(visual, id, {{{id, {Vector3(1, 0, 0), true}}}, {}})->emissive.red, 1) << "where it glows";
 }
 
 }  // namespace

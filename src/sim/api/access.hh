@@ -13,7 +13,7 @@
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
-#include "rendering/new_color.hh"
+#include "world/new_color.hh"
 #include "sim/inputs/outside_changes.hh"
 #include "sim/levels.hh"
 #include "world/entities.hh"
@@ -81,7 +81,7 @@ class Access {
     ++changes;
   }
   /// Colours of visuals that were changed.
-  std::map<VisualId, rendering::NewColor> colors = {};
+  std::map<VisualId, world::NewColor> colors = {};
   /// For each name N, the number of names N_0, N_1, ... known to be taken; valid until an entity is removed.
   struct TakenNames {
     std::uint64_t removals = 0;

@@ -75,7 +75,7 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     scene_.update(entities(), state());
   }
 
-  void paint(const std::map<VisualId, NewColor>& colors) { scene_.paint(colors); }
+  void paint(const std::map<VisualId, world::NewColor>& colors) { scene_.paint(colors); }
 
   const Scene& scene() const { return scene_; }
 

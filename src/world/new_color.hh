@@ -2,7 +2,7 @@
 
 #include "pongsim/types.hh"
 
-namespace pongsim::rendering {
+namespace pongsim::world {
 
 /// The colour of a visual since it was changed.
 struct NewColor {
@@ -12,4 +12,4 @@ struct NewColor {
   bool glows = false;
 };
 
-}  // namespace pongsim::rendering
+}  // namespace pongsim::world
