@@ -35,7 +35,7 @@ LISTED = {page for pages in CHAPTERS.values() for page in pages}
 UNLISTED = sorted(path.stem for path in (ROOT / "docs").glob("*.md") if path.stem not in LISTED)
 # READMEs of folders that pages link to
 FOLDERS = ["components", "include/pongsim", "plugins", *(f"components/{component}" for component in (
-    "fuel", "ign", "log", "python", "ros2", "ros2/test/rclpy_stand_in", "shared", "shared/program", "web"))]
+    "fuel", "ign", "log", "python", "ros2", "ros2/test/rclpy_stand_in", "shared", "shared/program", "video", "web"))]
 
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "plugins/*/*/README.md",
                     *(f"{folder}/README.md" for folder in FOLDERS)]

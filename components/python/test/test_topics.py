@@ -102,6 +102,41 @@ def test_all_kinds_of_fields(court):
 
 
 @pytest.mark.parametrize(
+    "type, data",
+    [
+        ("Int32", -(2**31)), ("UInt32", 2**32 - 1), ("Int64", -(2**63)), ("UInt64", 2**64 - 1), ("Double", 0.1),
+        ("Float", 0.5), ("Boolean", True), ("StringMsg", "ä"), ("Bytes", b"\x00\xff"),
+        ("Int32_V", [1, -2]), ("UInt32_V", [3, 2**32 - 1]), ("Int64_V", [-(2**63), 5]), ("UInt64_V", [2**64 - 1, 6]),
+        ("Double_V", [0.1, -7.0]), ("Float_V", [0.5, -8.0]), ("StringMsg_V", ["a", "ä"]),
+    ],
+)
+def test_each_kind_of_field_goes_round(court, type, data):
+    heard = []
+    court.subscribe("/a", heard)
+    court.publish("/a", {"data": data}, type=type)
+    court.step()
+    assert heard[0]["data"] == data
+
+
+@pytest.mark.parametrize(
+    "type, data, error, said",
+    [
+        ("UInt32", 2**32, ValueError, "it goes from 0 to 4294967295"),
+        ("UInt64", -1, ValueError, "it goes from 0 to 18446744073709551615"),
+        ("UInt64", "1", TypeError, "a whole number, not str"),
+        ("Boolean", "yes", TypeError, "True or False, not str"),
+        ("Bytes", "text", TypeError, "bytes, not str"),
+        ("StringMsg_V", "ab", TypeError, "a list, not str"),
+        ("Int32_V", 5, TypeError, "a list, not int"),
+        ("Double_V", [1.0, "x"], TypeError, r"data\[1\]' must be a number"),
+    ],
+)
+def test_what_does_not_fit_a_kind_of_field_is_told(court, type, data, error, said):
+    with pytest.raises(error, match=said):
+        court.publish("/a", {"data": data}, type=type)
+
+
+@pytest.mark.parametrize(
     "message, error, said",
     [
         ({"linar": {}}, ValueError, "did you mean 'linear'"),

@@ -54,6 +54,47 @@ TEST(SensorMessages, ConvertImages) {
   EXPECT_FALSE(become<::foxglove::RawImage>(image).has_value());
 }
 
+TEST(SensorMessages, KnowTheFormatsOfPixels) {
+  const std::pair<im::PixelFormatType, const char*> kFormats[] = {
+      {im::RGBA_INT8, "rgba8"},         {im::BGR_INT8, "bgr8"},
+      {im::BGRA_INT8, "bgra8"},         {im::L_INT8, "mono8"},
+      {im::L_INT16, "mono16"},          {im::R_FLOAT32, "32FC1"},
+      {im::BAYER_RGGB8, "bayer_rggb8"}, {im::BAYER_GBRG8, "bayer_gbrg8"},
+      {im::BAYER_GRBG8, "bayer_grbg8"}};
+  for (const auto& [format, name] : kFormats) {
+    im::Image image;
+    image.set_width(1);
+    image.set_height(1);
+    image.set_step(4);
+    image.set_pixel_format_type(format);
+    image.set_data("abcd");
+    const auto raw = become<::foxglove::RawImage>(image);
+    ASSERT_TRUE(raw.has_value()) << name;
+    EXPECT_EQ(raw->encoding(), name);
+  }
+}
+
+TEST(SensorMessages, KnowTheTypesOfPointsAndTheModelsOfLenses) {
+  using Field = im::PointCloudPacked::Field;
+  using Packed = ::foxglove::PackedElementField;
+  const std::pair<Field::DataType, Packed::NumericType> kTypes[] = {
+      {Field::INT8, Packed::INT8},       {Field::UINT8, Packed::UINT8},    {Field::INT16, Packed::INT16},
+      {Field::UINT16, Packed::UINT16},   {Field::INT32, Packed::INT32},    {Field::UINT32, Packed::UINT32},
+      {Field::FLOAT32, Packed::FLOAT32}, {Field::FLOAT64, Packed::FLOAT64}};
+  im::PointCloudPacked cloud;
+  cloud.set_point_step(16);
+  for (const auto& [type, packed] : kTypes) cloud.add_field()->set_datatype(type);
+  const auto out = become<::foxglove::PointCloud>(cloud);
+  ASSERT_TRUE(out.has_value());
+  for (int i = 0; i < out->fields_size(); ++i) EXPECT_EQ(out->fields(i).type(), kTypes[i].second);
+
+  im::CameraInfo info;
+  info.mutable_distortion()->set_model(im::CameraInfo::Distortion::RATIONAL_POLYNOMIAL);
+  EXPECT_EQ(become<::foxglove::CameraCalibration>(info)->distortion_model(), "rational_polynomial");
+  info.mutable_distortion()->set_model(im::CameraInfo::Distortion::EQUIDISTANT);
+  EXPECT_EQ(become<::foxglove::CameraCalibration>(info)->distortion_model(), "kannala_brandt");
+}
+
 TEST(SensorMessages, ConvertTheMiddleRowOfScans) {
   im::LaserScan scan;
   scan.set_frame("beam");

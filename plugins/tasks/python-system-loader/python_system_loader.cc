@@ -1,3 +1,5 @@
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -74,12 +76,20 @@ void appendFolders(std::string_view list, std::vector<std::string>& folders) {
   }
 }
 
+/// @return The folder of this library, where pongsim's own systems are.
+std::string ownFolder() {
+  Dl_info info;
+  if (::dladdr(reinterpret_cast<const void*>(&kGazeboHost), &info) == 0) return {};
+  return std::filesystem::absolute(info.dli_fname).parent_path().string();
+}
+
 std::vector<std::string> moduleFolders() {
   std::vector<std::string> folders;
   for (const char* name :
        {"PONGSIM_PLUGIN_PATH", gazebo::kSystemPluginPath.fortress, gazebo::kSystemPluginPath.later, "PYTHONPATH"}) {
     if (const char* value = std::getenv(name)) appendFolders(value, folders);
   }
+  appendFolders(ownFolder(), folders);
   return folders;
 }
 

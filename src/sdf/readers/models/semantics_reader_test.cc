@@ -31,9 +31,9 @@ TEST(Semantics, LeaveOutWhatIsWrong) {
       loadSemantics("<category>robots</category>\n<category>human</category>\n<description/>\n<tag/><tag>a</tag>");
   EXPECT_EQ(
       loaded.messages,
-      (Messages{"t.sdf:5:1: warning: the semantics of model 'm' have more than one <category>: the first one counts",
-                "t.sdf:4:1: warning: 'robots' is not a category of model 'm': it is left out | did you mean "
+      (Messages{"t.sdf:4:1: warning: 'robots' is not a category of model 'm': it is left out | did you mean "
                 "'robot'?",
+                "t.sdf:5:1: warning: the semantics of model 'm' have more than one <category>: the first one counts",
                 "t.sdf:6:1: warning: a <description> in the semantics of model 'm' is empty: it is left out",
                 "t.sdf:7:1: warning: a <tag> in the semantics of model 'm' is empty: it is left out"}));
   EXPECT_EQ(loaded.model().semantics, (Semantics{.category = {}, .description = {}, .tags = {"a"}}));
