@@ -94,7 +94,7 @@ double tick(bool inLockstep) {
     last = now;
     return true;
   };
-  if (inLockstep) options.lockstep = pongsim::sim::LockstepOptions{.topics = {{kAnswer}}, .heard = {"/clock"}};
+  if (inLockstep) options.lockstep = pongsim::LockstepOptions{.topics = {{kAnswer}}, .heard = {"/clock"}};
   pongsim::sim::Runner runner(*world, options);
   runner.run();
   if (other) {
