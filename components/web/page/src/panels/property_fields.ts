@@ -162,9 +162,19 @@ function jointFields(context: Context, joint: Entity, ask: Ask): PropertyFields 
 function lightFields(context: Context, entity: Entity, ask: Ask): PropertyField[] {
   const { world, connection } = context;
   const read = ({ components }: Entity): Message => components.message('Light', 'ignition.msgs.Light', connection.types) ?? {};
+  // a request says all of a light: the next change builds on what was asked for until the world tells of another state
+  let told = '';
+  let asked: Message | undefined;
   const change = (how: (light: Message) => Message): void => {
     const light = { ...read(world.entities.get(entity.id) ?? entity), id: entity.id, name: entity.name };
-    ask('Light', changeLight(context, light, how(light)));
+    const now = JSON.stringify(light, (_, value: unknown) => (typeof value === 'bigint' ? String(value) : value));
+    const before = told === now && asked ? asked : light;
+    const after = how(before);
+    told = now;
+    asked = after;
+    const done = changeLight(context, before, after);
+    done.catch(() => { asked = undefined; });
+    ask('Light', done);
   };
   const number = (name: string, key: string): Numbers =>
     new Numbers(name, [name], (light) => [read(light)[key] as number], ([value]) => change((light) => ({ ...light, [key]: value })), { min: 0 });
