@@ -4,38 +4,19 @@
 #include <array>
 #include <string_view>
 
+#include "pongsim/files/xml_text.hh"
+
 namespace pongsim::urdf {
 
 namespace {
 
 constexpr std::array<std::string_view, 3> kParts{"link", "joint", "material"};
 
-void appendEscaped(std::string_view text, std::string& xml) {
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      default:
-        xml += letter;
-    }
-  }
-}
-
 void appendTag(const Element& element, std::string& xml) {
   xml += '<' + element.name;
   for (const Element::Attribute& attribute : element.attributes) {
     xml += ' ' + attribute.name + "=\"";
-    appendEscaped(attribute.value, xml);
+    appendXmlText(attribute.value, xml);
     xml += '"';
   }
   xml += '>';
@@ -44,7 +25,7 @@ void appendTag(const Element& element, std::string& xml) {
 void append(const Element& element, std::string& xml) {
   appendTag(element, xml);
   for (const Element& child : element.children) append(child, xml);
-  appendEscaped(element.text, xml);
+  appendXmlText(element.text, xml);
   xml += "</" + element.name + '>';
 }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "pongsim/files/xml_text.hh"
 #include "pongsim/math.hh"
 
 namespace pongsim::ros2 {
@@ -18,27 +19,6 @@ void append(double value, std::string& text) {
   text.append(std::begin(buffer), std::to_chars(std::begin(buffer), std::end(buffer), value == 0 ? 0.0 : value).ptr);
 }
 
-void appendEscaped(std::string_view value, std::string& text) {
-  for (const char letter : value) {
-    switch (letter) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += letter;
-    }
-  }
-}
-
 }  // namespace
 
 XmlWriter& XmlWriter::open(std::string_view element) {
@@ -51,7 +31,7 @@ XmlWriter& XmlWriter::open(std::string_view element) {
 
 XmlWriter& XmlWriter::with(std::string_view attribute, std::string_view value) {
   text_.append(" ").append(attribute).append("=\"");
-  appendEscaped(value, text_);
+  appendXmlText(value, text_);
   text_ += '"';
   return *this;
 }

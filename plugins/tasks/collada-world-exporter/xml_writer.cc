@@ -1,26 +1,17 @@
 #include "xml_writer.hh"
 
+#include <algorithm>
 #include <utility>
+
+#include "pongsim/files/xml_text.hh"
 
 namespace pongsim {
 
 std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '&') {
-      result += "&amp;";
-    } else if (letter == '<') {
-      result += "&lt;";
-    } else if (letter == '>') {
-      result += "&gt;";
-    } else if (letter == '"') {
-      result += "&quot;";
-    } else {
-      result += code < 0x20 && letter != '\t' && letter != '\n' ? '?' : letter;
-    }
-  }
-  return result;
+  std::string allowed(text);
+  std::ranges::replace_if(
+      allowed, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n'; }, '?');
+  return xmlText(allowed);
 }
 
 XmlWriter::XmlWriter(std::ostream& out) : out_(out) { out_ << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gazebo_host.hh"
+#include "pongsim/files/xml_text.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/program/gazebo_variable.hh"
 #include "pongsim/system.hh"
@@ -19,29 +20,6 @@ namespace pongsim {
 
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
-
 /// Names with a prefix lose it: the namespace may not be declared.
 std::string plain(const std::string& name) { return name.substr(name.rfind(':') + 1); }
 
@@ -49,9 +27,9 @@ std::string xmlOf(const Element& element) {
   const std::string name = plain(element.name);
   std::string text = "<" + name;
   for (const Element::Attribute& attribute : element.attributes) {
-    text += " " + plain(attribute.name) + "=\"" + escaped(attribute.value) + "\"";
+    text += " " + plain(attribute.name) + "=\"" + xmlText(attribute.value) + "\"";
   }
-  text += ">" + escaped(element.text);
+  text += ">" + xmlText(element.text);
   for (const Element& child : element.children) text += xmlOf(child);
   return text + "</" + name + ">";
 }
