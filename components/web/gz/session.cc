@@ -41,7 +41,7 @@ struct GzSession::Deferred {
   int types = 0;
 
   void answer() {
-    if (!session->areListsKnown()) return;
+    if (!session->worlds_->areListsKnown()) return;
     for (; topics > 0; --topics) session->sendTopics();
     for (; types > 0; --types) session->sendTopicsTypes();
   }
@@ -117,17 +117,13 @@ void GzSession::protos(const Call&) {
 }
 
 /// @return Whether all worlds have listed their topics; they start when the first client connects.
-bool GzSession::areListsKnown() const {
-  return std::ranges::all_of(worlds_->all(), [](const auto& world) { return world->areListsKnown(); });
-}
-
 void GzSession::topics(const Call&) {
-  if (areListsKnown()) return sendTopics();
+  if (worlds_->areListsKnown()) return sendTopics();
   deferred_->topics = std::min(deferred_->topics + 1, kMostDeferred);
 }
 
 void GzSession::topicsTypes(const Call&) {
-  if (areListsKnown()) return sendTopicsTypes();
+  if (worlds_->areListsKnown()) return sendTopicsTypes();
   deferred_->types = std::min(deferred_->types + 1, kMostDeferred);
 }
 

@@ -54,7 +54,6 @@ class GzSession final : public Session {
 
   /// Requests for lists of topics that wait until all worlds have listed theirs.
   struct Deferred;
-  bool areListsKnown() const;
   void sendTopics();
   void sendTopicsTypes();
 

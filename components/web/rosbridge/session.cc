@@ -49,13 +49,8 @@ struct RosbridgeSession::State {
     client->sendText(status.dump(-1, ' ', false, json::error_handler_t::replace));
   }
 
-  /// Whether all worlds have listed their topics; they start when the first client connects.
-  bool areListsKnown() const {
-    return std::ranges::all_of(worlds->all(), [](const auto& world) { return world->areListsKnown(); });
-  }
-
   void changed() {
-    if (!areListsKnown()) return;
+    if (!worlds->areListsKnown()) return;
     subscriptions.follow();
     deferredBytes = 0;
     for (const std::string& message : std::exchange(deferred, {})) receive(foxglove::parseJson(message));
@@ -94,7 +89,7 @@ RosbridgeSession::RosbridgeSession(std::shared_ptr<Client> client, const std::sh
 RosbridgeSession::~RosbridgeSession() = default;
 
 void RosbridgeSession::text(std::string_view message) {
-  if (!state_->areListsKnown()) return state_->defer(message);
+  if (!state_->worlds->areListsKnown()) return state_->defer(message);
   state_->receive(foxglove::parseJson(message));
 }
 

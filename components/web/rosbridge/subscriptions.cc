@@ -102,7 +102,7 @@ std::string Subscriptions::add(const json& request) {
       static_cast<std::size_t>(std::min(numberField(request, "queue_length"), static_cast<double>(kLongestQueue))),
       compression == "cbor"};
   close(wanted);
-  open(*name, wanted);
+  open(*name, wanted, topics_.all());
   const std::string type = fullRosType(foxglove::textField(request, "type").value_or(""));
   if (!type.empty() && !wanted.sources.empty() && wanted.sources.front().source->topic.type != type) {
     return "topic '" + *name + "' has messages of type " + wanted.sources.front().source->topic.type + ", not " + type;
@@ -118,7 +118,7 @@ std::string Subscriptions::remove(const json& request) {
   if (id) found->second.wishes.erase(*id);
   if (id && !found->second.wishes.empty()) {
     close(found->second);
-    open(found->first, found->second);
+    open(found->first, found->second, topics_.all());
     return {};
   }
   close(found->second);
@@ -127,7 +127,9 @@ std::string Subscriptions::remove(const json& request) {
 }
 
 void Subscriptions::follow() {
-  for (auto& [name, wanted] : subscriptions_) open(name, wanted);
+  if (subscriptions_.empty()) return;
+  const std::vector<RosTopic> all = topics_.all();
+  for (auto& [name, wanted] : subscriptions_) open(name, wanted, all);
 }
 
 void Subscriptions::close(Wanted& wanted) {
@@ -139,9 +141,10 @@ void Subscriptions::close(Wanted& wanted) {
 }
 
 /// Makes the sources those that there are now; those that stay are kept.
-void Subscriptions::open(const std::string& name, Wanted& wanted) {
+void Subscriptions::open(const std::string& name, Wanted& wanted, std::span<const RosTopic> all) {
   std::vector<Opened> now;
-  for (const RosTopic& topic : topics_.find(name)) {
+  for (const RosTopic& topic : all) {
+    if (topic.name != name) continue;
     const auto same = std::ranges::find_if(wanted.sources, [&](const Opened& opened) {
       const Worlds::TopicPlace& place = opened.source->topic.place;
       return place.world == topic.place.world && place.topic.name == topic.place.topic.name &&

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,7 @@ class Subscriptions {
     std::vector<Opened> sources;
   };
 
-  void open(const std::string& name, Wanted& wanted);
+  void open(const std::string& name, Wanted& wanted, std::span<const RosTopic> all);
   void close(Wanted& wanted);
   std::optional<Opened> sourceOf(const RosTopic& topic, const Wanted& wanted);
 

@@ -36,6 +36,10 @@ std::vector<std::shared_ptr<WorldLink>> Worlds::all() const {
   return worlds_;
 }
 
+bool Worlds::areListsKnown() const {
+  return std::ranges::all_of(all(), [](const auto& world) { return world->areListsKnown(); });
+}
+
 std::shared_ptr<WorldLink> Worlds::find(std::string_view world) const {
   const std::lock_guard lock(mutex_);
   const auto found = std::ranges::find(worlds_, world, [](const auto& each) { return each->world(); });

@@ -29,6 +29,8 @@ class Worlds : public std::enable_shared_from_this<Worlds> {
 
   /// @return All worlds, oldest first.
   std::vector<std::shared_ptr<WorldLink>> all() const;
+  /// @return Whether all have listed their topics; they start when the first client connects.
+  bool areListsKnown() const;
   /// @return The world with this name, or null.
   std::shared_ptr<WorldLink> find(std::string_view world) const;
 
