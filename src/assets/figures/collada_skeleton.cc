@@ -100,20 +100,26 @@ class Reader {
 
   std::optional<Skeleton> read() {
     readUnit();
-    forEachChild(collada_, "library_visual_scenes", [this](const XMLElement& library) {
-      forEachInside(library, [this](const XMLElement& element) {
-        if (element.Name() == std::string_view("instance_controller")) readInstance(element);
-      });
+    forEachIn("library_visual_scenes", [this](const XMLElement& element) {
+      if (element.Name() == std::string_view("instance_controller")) readInstance(element);
     });
-    if (skeleton_.bones.empty()) {
-      if (!hasAnimations()) return std::nullopt;
-      // a file that has nothing but a motion
-    }
-    readMotion();
+    std::vector<const XMLElement*> channels;
+    forEachIn("library_animations", [&channels](const XMLElement& element) {
+      if (element.Name() == std::string_view("channel")) channels.push_back(&element);
+    });
+    // a file may have nothing but a motion
+    if (skeleton_.bones.empty() && channels.empty()) return std::nullopt;
+    readMotion(channels);
     return std::move(skeleton_);
   }
 
  private:
+  /// Calls `visit` with each element inside the libraries of that name.
+  template <class Visit>
+  void forEachIn(const char* library, const Visit& visit) const {
+    forEachChild(collada_, library, [&](const XMLElement& each) { forEachInside(each, visit); });
+  }
+
   const XMLElement* named(std::string_view id) const {
     const auto found = ids_.find(id.starts_with('#') ? id.substr(1) : id);
     return found == ids_.end() ? nullptr : found->second;
@@ -172,10 +178,8 @@ class Reader {
     });
     if (!roots.empty()) return roots;
     const XMLElement* found = nullptr;
-    forEachChild(collada_, "library_visual_scenes", [&](const XMLElement& library) {
-      forEachInside(library, [&](const XMLElement& element) {
-        if (found == nullptr && !joints.empty() && nameOf(element) == joints[0]) found = &element;
-      });
+    forEachIn("library_visual_scenes", [&](const XMLElement& element) {
+      if (found == nullptr && !joints.empty() && nameOf(element) == joints[0]) found = &element;
     });
     if (found == nullptr) refuseElement(instance, "has a skin without a skeleton");
     const auto isInNode = [](const XMLElement& element) {
@@ -292,25 +296,12 @@ class Reader {
     }
   }
 
-  bool hasAnimations() const {
-    bool has = false;
-    forEachChild(collada_, "library_animations", [&has](const XMLElement& library) {
-      forEachInside(library,
-                    [&has](const XMLElement& element) { has = has || element.Name() == std::string_view("channel"); });
-    });
-    return has;
-  }
-
   /// Frames of a node: the values of its steps, at each time.
   using RawFrames = std::map<double, std::vector<Step>>;
 
-  void readMotion() {
+  void readMotion(const std::vector<const XMLElement*>& channels) {
     std::map<const XMLElement*, RawFrames> frames;
-    forEachChild(collada_, "library_animations", [&](const XMLElement& library) {
-      forEachInside(library, [&](const XMLElement& element) {
-        if (element.Name() == std::string_view("channel")) readChannel(element, frames);
-      });
-    });
+    for (const XMLElement* channel : channels) readChannel(*channel, frames);
     for (const auto& [node, raw] : frames) {
       Track& track = skeleton_.motion.tracks[nameOf(*node)];
       for (const auto& [time, steps] : raw) track.add(time, product(steps, *node));
