@@ -116,33 +116,10 @@ TEST_F(EditServicesTest, SayWhatIsWrongWithWhatIsToBeCreated) {
   EXPECT_EQ(simulation_->world().models().size(), 2U);
 }
 
-TEST_F(EditServicesTest, SayWhatOfAFileIsLeftOut) {
-  const auto warningOf = [this](const std::string& content) {
-    Diagnostics diagnostics;
-    const auto inserted =
-        simulation_->insertModelOrLight("<sdf version='1.9'>" + content + "</sdf>", "a.sdf", {}, diagnostics);
-    EXPECT_EQ(diagnostics.all().size(), 1U);
-    EXPECT_EQ(inserted.has_value(), !diagnostics.hasErrors());
-    return diagnostics.all().empty() ? "" : diagnostics.all().front().message + "; " + diagnostics.all().front().hint;
-  };
-  EXPECT_EQ(warningOf("<light name='a' type='point'/><light name='b' type='point'/>"),
-            "light 'b' is left out: the first light, 'a', is inserted; ");
-  EXPECT_EQ(warningOf("<model name='c'><link name='l'/></model><model name='d'><link name='l'/></model>"),
-            "model 'd' is left out: the first model, 'c', is inserted; ");
-  EXPECT_EQ(warningOf("<actor name='e'/>"),
-            "there is no model or light to insert; actors can only be loaded with a world");
-}
-
 TEST_F(EditServicesTest, LeavePartsOfModelsWhereTheyAre) {
   const std::string nested = "'tower::top' is nested in another model";
   EXPECT_EQ(create("clone_name: 'tower::top', name: 'copy'"), nested);
   EXPECT_EQ(refusal("remove", "Entity", "name: 'tower::top', type: MODEL"), nested);
-  // the same for the program
-  const Model top = *model("tower::top");
-  Diagnostics diagnostics;
-  EXPECT_FALSE(simulation_->insertCopy(top, {.name = "copy"}, diagnostics));
-  EXPECT_EQ(diagnostics.all().front().message, "model 'tower::top' is part of another model");
-  EXPECT_EQ(simulation_->remove(top).error, "model 'tower::top' is part of 'tower' and can't be removed alone");
 }
 
 TEST_F(EditServicesTest, CreateFilesOfTheWorldsFolderOnly) {
