@@ -31,10 +31,12 @@ std::string takes(std::string_view requestType, std::string_view replyType) {
 /// Notes down a call for as long as somebody waits for it.
 class ServiceClient::CallScope {
  public:
-  CallScope(ServiceClient& client, const ParticipantId& server) : client_(client) {
+  /// @param here,server The participants between which the call goes; zero for a service of this transport.
+  CallScope(ServiceClient& client, const ParticipantId& here, const ParticipantId& server) : client_(client) {
     const Lock lock(client.mutex_);
     number_ = client.nextCall_++;
     call_ = &client.calls_[number_];
+    call_->client = here;
     call_->server = server;
   }
   ~CallScope() {
@@ -95,7 +97,7 @@ CallResult ServiceClient::call(const DispatchQueue& asker, std::string_view serv
 
 CallResult ServiceClient::callOwn(const DispatchQueue& asker, const std::string& service, const Message& request,
                                   Message& reply, TimePoint deadline) {
-  CallScope call(*this, {});
+  CallScope call(*this, {}, {});
   std::vector<std::byte> message(msgs::byteSize(request));
   msgs::writeBytes(request, message);
   if (!own_.post(asker, service, call.number(), std::move(message), false)) {
@@ -115,7 +117,7 @@ CallResult ServiceClient::callOther(const std::string& service, const Message& r
     return {CallOutcome::kNoService, "there is no service '" + service + "'"};
   }
 
-  CallScope call(*this, *server);
+  CallScope call(*this, connection.reader->participant(), *server);
   const RequestHeader header{*server, call.number()};
   const std::size_t size = msgs::byteSize(request);
   if (size > kMaximumMessage) return failed(CallOutcome::kNoAnswer, service, "can't be sent such a large request");
@@ -174,6 +176,7 @@ std::string ServiceClient::otherTypes(const Connection& connection) const {
   return takes(info.providers.front().requestType, info.providers.front().replyType);
 }
 
+// Replies to others may come while the connection is made or ends: its endpoints are not looked at.
 void ServiceClient::receive(const Connection& connection, const ParticipantId& sender,
                             std::span<const std::byte> payload) {
   std::optional<std::span<const std::byte>> message = messageInPayload(payload);
@@ -184,11 +187,10 @@ void ServiceClient::receive(const Connection& connection, const ParticipantId& s
                 std::to_string(network_->directory().pidOf(sender)) + " is damaged; dropped");
     return;
   }
-  if (header->client != connection.reader->participant()) return;
   {
     const Lock lock(mutex_);
     const auto call = calls_.find(header->call);
-    if (call == calls_.end() || call->second.server != sender) return;
+    if (call == calls_.end() || call->second.client != header->client || call->second.server != sender) return;
     call->second.message.assign(message->begin(), message->end());
     call->second.header = std::move(header);
   }

@@ -74,6 +74,7 @@ class ServiceClient {
   };
   /// A call that is waiting.
   struct Call {
+    ParticipantId client{};
     ParticipantId server{};
     bool gone = false;
     std::optional<ReplyHeader> header;

@@ -253,6 +253,25 @@ TEST_F(ServiceElsewhere, AnswersOnlyTheOneWhoAsked) {
   }
 }
 
+TEST_F(ServiceElsewhere, SurvivesRepliesToOthersWhenAClientEnds) {
+  const Service service = echo(node_, "/s");
+  const Dispatched dispatched(transport_);
+  std::atomic<bool> ended = false;
+  std::vector<std::future<void>> others;
+  for (int i = 0; i < 3; ++i) {
+    others.push_back(std::async(std::launch::async, [&ended] {
+      Transport other;
+      StringMsg reply;
+      while (!ended) EXPECT_TRUE(other.node().call("/s", saying("other"), reply, kDeadline));
+    }));
+  }
+  for (int i = 0; i < 40; ++i) {
+    Transport shortLived;
+    EXPECT_TRUE(shortLived.node().call("/s", saying("hello"), reply_, kDeadline));
+  }
+  ended = true;
+}
+
 TEST_F(ServiceElsewhere, AsksOneOfSeveralWithTheSameName) {
   const auto first = server("echo");
   const auto second = server("echo");
