@@ -31,8 +31,8 @@ std::string percentDecoded(std::string_view text) {
 std::string percentEncoded(std::string_view text, std::string_view more) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string all;
-  for (const unsigned char c : text) {
-    const char letter = static_cast<char>(c);
+  for (const char letter : text) {
+    const auto c = static_cast<unsigned char>(letter);
     if (std::isalnum(c) != 0 || std::string_view("-._~").find(letter) != std::string_view::npos ||
         more.find(letter) != std::string_view::npos) {
       all += letter;
