@@ -11,8 +11,8 @@
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/rmw_dds_common.hh"
+#include "ros2/wire/discovery_acknacks.hh"
 #include "ros2/wire/discovery_guard.hh"
-#include "ros2/wire/first_acknack.hh"
 
 namespace pongsim::ros2 {
 namespace {
@@ -60,7 +60,7 @@ std::vector<void (*)(Bytes)> readers() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace pongsim::ros2;
   std::vector<std::uint8_t> packet(data, data + size);
-  pongsim::fuzz::require(hastenFirstAcknacks(packet) <= size / 24);
+  pongsim::fuzz::require(DiscoveryAcknacks().modify({}, packet) <= size / 24);
   DiscoveryGuard().receive(packet, {}, requireEndlessLeases);
   if (size < kChoice) return 0;
   static const auto all = readers();

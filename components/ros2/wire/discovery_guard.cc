@@ -36,6 +36,7 @@ void DiscoveryGuard::receive(std::span<std::uint8_t> packet, TimePoint now, cons
   {
     const std::lock_guard lock(mutex_);
     if (!leases_.receive(*message, packet, now)) return;
+    if (leases_.runs(message->source)) acknacks_.modify(message->source, packet);
   }
   handOn(packet);
 }
@@ -49,6 +50,7 @@ DiscoveryGuard::TimePoint DiscoveryGuard::end(TimePoint now, const HandOn& handO
     for (const auto& each : leases_.expired(now)) {
       goodbyes.push_back(shared::goodbyeBy(each.prefix, ++goodbyes_));
       leases_.removed(each.prefix);
+      acknacks_.forget(each.prefix);
     }
     next = leases_.nextCheck(now);
   }

@@ -6,13 +6,14 @@
 #include <mutex>
 #include <span>
 
+#include "ros2/wire/discovery_acknacks.hh"
 #include "shared/rtps/leases.hh"
 
 namespace pongsim::ros2 {
 
 /// Guards what a participant of Fast DDS 2.9 hears of others: it is told of leases that never end (`shared::Leases`),
 /// and when one ends, of a goodbye. Announcements and goodbyes are handed to it one at a time. All that the participant
-/// receives goes through here.
+/// receives goes through here. What they ask for is answered (`DiscoveryAcknacks`).
 ///
 /// Participants with pongsim's own topics, which share none with this one, are never heard.
 ///
@@ -43,6 +44,7 @@ class DiscoveryGuard {
   std::mutex turn_;
   mutable std::mutex mutex_;
   shared::Leases leases_;
+  DiscoveryAcknacks acknacks_;
   std::uint64_t goodbyes_ = 0;
 };
 

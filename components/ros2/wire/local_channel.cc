@@ -14,8 +14,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ros2/wire/first_acknack.hh"
-
 namespace pongsim::ros2 {
 
 LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, DiscoveryGuard& guard,
@@ -79,7 +77,6 @@ void LocalChannel::drain(const UdpSocket& socket) {
     from.port = ntohs(sender.sin_port);
     std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
     const auto message = std::span(packet_).first(static_cast<std::size_t>(size));
-    hastenFirstAcknacks(message);
     guard_.receive(message, now, [&](std::span<const std::uint8_t> admitted) {
       receiver_.OnDataReceived(admitted.data(), static_cast<std::uint32_t>(admitted.size()), at_, from);
     });

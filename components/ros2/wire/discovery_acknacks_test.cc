@@ -1,4 +1,4 @@
-#include "ros2/wire/first_acknack.hh"
+#include "ros2/wire/discovery_acknacks.hh"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@ namespace pongsim::ros2 {
 namespace {
 
 using Packet = std::vector<unsigned char>;
+
+constexpr shared::RtpsPrefix kReader = {1, 16, 7}, kOtherReader = {1, 16, 8};
 
 struct Asked {
   std::array<unsigned char, 4> writer{0, 0, 3, 0xc2};
@@ -46,47 +48,72 @@ Packet message(const Asked& asked) {
   return packet;
 }
 
-TEST(FirstAcknack, OfDiscoveryAsksFromZeroOn) {
+TEST(DiscoveryAcknacks, OfDiscoveryAsksFromZeroOn) {
   for (const bool isLittle : {true, false}) {
     for (const unsigned char entity : {static_cast<unsigned char>(3), static_cast<unsigned char>(4)}) {
       Packet packet = message({.writer = {0, 0, entity, 0xc2}, .isLittle = isLittle});
-      EXPECT_EQ(hastenFirstAcknacks(packet), 1U);
+      EXPECT_EQ(DiscoveryAcknacks().modify(kReader, packet), 1U);
       EXPECT_EQ(packet, message({.writer = {0, 0, entity, 0xc2}, .first = 0, .count = 1, .isLittle = isLittle}));
     }
   }
 }
 
-TEST(FirstAcknack, OfLaterOnesOnlyTheCountIsMore) {
+TEST(DiscoveryAcknacks, OfLaterOnesOnlyTheCountIsOther) {
+  DiscoveryAcknacks acknacks;
+  std::uint32_t count = 0;
   for (const Asked& asked :
-       {Asked{.first = 2}, Asked{.bits = 1, .count = 1}, Asked{.isFinal = true}, Asked{.first = 0}}) {
+       {Asked{.first = 0, .count = 5}, Asked{.bits = 1, .count = 1}, Asked{.first = 2}, Asked{.isFinal = true}}) {
     Packet packet = message(asked);
-    EXPECT_EQ(hastenFirstAcknacks(packet), 0U);
+    EXPECT_EQ(acknacks.modify(kReader, packet), 0U);
     Asked expected = asked;
-    ++expected.count;
+    expected.count = ++count;
     EXPECT_EQ(packet, message(expected));
   }
 }
 
-TEST(FirstAcknack, OfOtherWritersIsLeftAlone) {
+TEST(DiscoveryAcknacks, OfWhoAsksAgainAskFromZeroOn) {
+  DiscoveryAcknacks acknacks;
+  Packet all = message({.first = 47, .count = 9});
+  acknacks.modify(kReader, all);
+  // another one's count for themselves
+  Packet other = message({.bits = 1});
+  EXPECT_EQ(acknacks.modify(kOtherReader, other), 0U);
+  Packet packet = message({.bits = 1, .count = 2});
+  EXPECT_EQ(acknacks.modify(kReader, packet), 1U);
+  Packet expected = message({.first = 0, .bits = 0, .count = 3});
+  // the bits that are no more, and the former count
+  expected[38] = 28;
+  put(expected, 2, true);
+  EXPECT_EQ(packet, expected);
+  // from now on it asks for what it lacks
+  packet = message({.bits = 1, .count = 3});
+  EXPECT_EQ(acknacks.modify(kReader, packet), 0U);
+  acknacks.modify(kReader, all);
+  acknacks.forget(kReader);
+  packet = message({.bits = 1});
+  EXPECT_EQ(acknacks.modify(kReader, packet), 0U);
+}
+
+TEST(DiscoveryAcknacks, OfOtherWritersIsLeftAlone) {
   const Asked asked{.writer = {0, 0, 1, 3}};
   Packet packet = message(asked);
-  EXPECT_EQ(hastenFirstAcknacks(packet), 0U);
+  EXPECT_EQ(DiscoveryAcknacks().modify(kReader, packet), 0U);
   EXPECT_EQ(packet, message(asked));
 }
 
-TEST(FirstAcknack, IsNotLookedForBehindTheEnd) {
+TEST(DiscoveryAcknacks, IsNotLookedForBehindTheEnd) {
   const Packet whole = message({});
   for (std::size_t size = 0; size < whole.size(); ++size) {
     // allocated with the exact size, so that a sanitizer detects reads beyond it
     Packet packet(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_EQ(hastenFirstAcknacks(packet), 0U) << size;
+    EXPECT_EQ(DiscoveryAcknacks().modify(kReader, packet), 0U) << size;
   }
   std::mt19937 chance(3);
   for (int i = 0; i < 20000; ++i) {
     Packet packet = whole;
     packet.resize(20 + chance() % (packet.size() - 19));
     for (int j = 0; j < 3; ++j) packet[chance() % packet.size()] = static_cast<unsigned char>(chance());
-    EXPECT_LE(hastenFirstAcknacks(packet), 2U);
+    EXPECT_LE(DiscoveryAcknacks().modify(kReader, packet), 2U);
   }
 }
 
