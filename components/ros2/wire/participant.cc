@@ -18,6 +18,7 @@
 #include "ros2/wire/fast_dds.hh"
 #include "ros2/wire/local_udp.hh"
 #include "ros2/wire/security.hh"
+#include "shared/rtps/create_participant.hh"
 #include "shared/rtps/rtps_message.hh"
 
 namespace pongsim::ros2 {
@@ -109,8 +110,8 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   setUpLibrary();
   const std::optional<SecureIdentity> identity = securityOfEnvironment(options.domain).identity;
   const auto isOpen = std::make_shared<std::atomic<bool>>(false);
-  participant_ = rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(options.domain), false,
-                                                     attributesOf(options, identity, isOpen), this);
+  participant_ = shared::createParticipant(static_cast<std::uint32_t>(options.domain),
+                                           attributesOf(options, identity, isOpen), this, kParticipants);
   if (participant_ == nullptr) {
     throw std::runtime_error("can't open the ROS domain " + std::to_string(options.domain) +
                              (identity ? " as identity '" + identity->name + "'" : ""));

@@ -217,6 +217,19 @@ TEST(Network, IsFoundWhenItIsAnnounced) {
   later.end(std::move(writer));
 }
 
+TEST(Network, IsFoundAfterManyOthersOfItsProcess) {
+  Network other(test::testDomain());
+  // more than a domain has ports
+  for (std::uint32_t i = 0; i < discoveryPorts(test::testDomain()).count + 5; ++i) {
+    Network one(test::testDomain());
+    one.end(one.makeWriter(kTopic, kType, nullptr));
+  }
+  Network last(test::testDomain());
+  auto writer = last.makeWriter(kTopic, kType, nullptr);
+  EXPECT_TRUE(other.directory().waitForTopic(kTopic, Role::kPublisher, deadlineAfter(test::kDeadline)));
+  last.end(std::move(writer));
+}
+
 TEST(Network, AnnouncesItselfInTheEnd) {
   Network other(test::testDomain());
   Network later(test::testDomain(), std::nullopt, true);

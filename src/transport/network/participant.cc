@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/parse_number.hh"
+#include "shared/rtps/create_participant.hh"
 #include "shared/rtps/rtps_message.hh"
 #include "shared/threads/scheduling.hh"
 #include "transport/deadline.hh"
@@ -150,9 +151,9 @@ Participant::Participant(const Settings& settings, const std::optional<Participa
   setUpLibrary();
   // with DDS's threads
   const shared::BatchScheduling scheduling;
-  participant_.reset(
-      rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(settings.domain), false,
-                                          participantAttributes(settings, textOf({getpid(), first}), gate_), this));
+  participant_.reset(shared::createParticipant(static_cast<std::uint32_t>(settings.domain),
+                                               participantAttributes(settings, textOf({getpid(), first}), gate_), this,
+                                               discoveryPorts(settings.domain).count));
   if (participant_ == nullptr) {
     throw std::runtime_error(
         "can't open DDS domain " + std::to_string(settings.domain) + " on 127.0.0.1" +
