@@ -57,4 +57,6 @@ void TwistInput::warnOnce(const std::string& what) {
   log_->warning("controller '" + name_ + "': " + what);
 }
 
+void TwistInput::transfer(StateArchive& archive) { archive(command_); }
+
 }  // namespace pongsim::ros2

@@ -37,7 +37,7 @@ class TwistInput {
   /// @return The last command; nothing before the first.
   const std::optional<Command>& command() const { return command_; }
   void clear() { command_.reset(); }
-  void transfer(StateArchive& archive) { archive(command_); }
+  void transfer(StateArchive& archive);
 
  private:
   void receive(const geometry_msgs::Twist& twist, Time stamp);
