@@ -1,6 +1,7 @@
 """Scenarios that compare with a recorded run."""
 
 import re
+import shutil
 import subprocess
 
 import jsonschema
@@ -8,6 +9,9 @@ import pytest
 import yaml
 from scenarios import HEAD, WORLD, command, write
 from test_scenario_examples import SCHEMA
+
+from pongsim.testing import World, expect, pose, recorded
+from pongsim.testing.recordings import Kept
 
 ARM = """<model name="arm"><pose>3 0 1 0 0 0</pose><link name="base"/>
   <link name="rod"><inertial><pose>0.5 0 0 0 0 0</pose></inertial></link>
@@ -113,6 +117,29 @@ def test_what_the_world_lacks_is_a_mistake(good):
     code, out, _ = compare(good, "{recorded: good, tolerance: 1}", WORLD)
     assert code == 2
     assert "s.yaml:4:5: error: there is no model 'arm' (there is: ground, ball)" in out
+
+
+def test_what_is_kept_of_recordings_is_bounded():
+    kept = Kept(100)
+    made = []
+
+    def get(key, size):
+        return kept.get(key, lambda: made.append(key) or key, lambda _: size)
+
+    for key, size in [("a", 60), ("b", 40), ("a", 60), ("c", 30), ("a", 60), ("b", 40), ("large", 101), ("large", 101)]:
+        assert get(key, size) == key
+    assert made == ["a", "b", "c", "b", "large", "large"], "the one not used for longest goes, and one beyond the bound at once"
+
+
+def test_a_recording_that_is_made_anew_is_read_anew(tmp_path, program):
+    for height in (2, 3):
+        world = write(tmp_path, "w.sdf", WORLD.replace("0 0 2 0 0 0", f"0 0 {height} 0 0 0"))
+        shutil.rmtree(tmp_path / "good", ignore_errors=True)
+        subprocess.run([program, "run", world, "-z", "0", "--iterations", "200", "--record-path", "good"], cwd=tmp_path, check=True,
+                       capture_output=True)
+        with World(str(world)) as opened:
+            expect(pose("ball")).always(z=recorded(tmp_path / "good", 0.001))
+            opened.run(0.2)
 
 
 def test_a_recording_that_is_cut_is_compared_up_to_there(good):

@@ -36,7 +36,7 @@ def recorded_parts(parts: Mapping[str, Node], node: Node, folder: pathlib.Path) 
     tolerances = _tolerances(parts, node)
     recording = parts["recorded"]
     file = folder / recording.text("'recorded'")
-    models, joints = states(file, "pose", recording), states(file, "joint", recording)
+    models, joints = states(file, recording)
     names = [*models, *joints]
     if "of" in parts:
         nodes = parts["of"].list("'of'")

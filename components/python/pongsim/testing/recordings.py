@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import collections
 import csv
-import functools
 import io
 import json
 import math
 import pathlib
 import subprocess
 import sys
+from typing import Any, Callable, Hashable
 
 from ..sweep.document import Node
 from ..sweep.errors import nearest
@@ -18,6 +19,35 @@ from .state_log import FIELDS, StateLog, States
 
 #: Times [s] and values.
 Values = tuple[list[float], list[float]]
+
+#: Memory for numbers of recordings [bytes]: scenarios and their runs often compare with the same ones.
+_MOST_KEPT = 64 << 20
+#: Of a number in a list.
+_BYTES_PER_NUMBER = 32
+
+
+class Kept:
+    """Results that are kept up to a number of bytes: beyond that, the ones that were not used for longest are forgotten."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._size = 0
+        self._results: collections.OrderedDict[Hashable, tuple[Any, int]] = collections.OrderedDict()
+
+    def get(self, key: Hashable, make: Callable[[], Any], size_of: Callable[[Any], int]) -> Any:
+        """Returns what is kept, or what `make` returns."""
+        if key not in self._results:
+            made = make()
+            self._results[key] = made, size_of(made)
+            self._size += self._results[key][1]
+            while self._size > self._most:
+                self._size -= self._results.popitem(last=False)[1][1]
+            return made
+        self._results.move_to_end(key)
+        return self._results[key][0]
+
+
+_kept = Kept(_MOST_KEPT)
 
 
 def recorded(file: pathlib.Path, signal: tuple[str, str], field: str, node: Node) -> Values:
@@ -33,38 +63,51 @@ def recorded(file: pathlib.Path, signal: tuple[str, str], field: str, node: Node
             return _of_state(file, signal, field, node)
         if kind != "topic":
             node.fail(f"a {kind} is compared with a .csv file", "two columns: time_s and the value")
-        text, error, _ = _printed("export", str(file), name, field, "--csv")
-        if error:
-            node.fail(error)
+        values: Values = _kept.get((*_version(file), name, field), lambda: _of_topic(file, name, field, node),
+                                   lambda made: 2 * len(made[0]) * _BYTES_PER_NUMBER)
     else:
-        text = file.read_text(encoding="utf-8", errors="replace")
-    times, values = _parse(text, file, node)
-    if not times:
+        values = _parse(file.read_text(encoding="utf-8", errors="replace"), file, node)
+    if not values[0]:
         node.fail(f"{file} has no values of '{field}'")
-    return times, values
+    return values
 
 
-def states(file: pathlib.Path, kind: str, node: Node) -> States:
-    """Returns the states of models ("pose") or of joints in a recording of `pongsim run --record-path`. Raises SweepError at
-    the node."""
+def states(file: pathlib.Path, node: Node) -> tuple[States, States]:
+    """Returns the states of the models and joints in a recording of `pongsim run --record-path`. Raises SweepError at the
+    node."""
     place = file / "state.tlog" if file.is_dir() else file
     if not place.is_file():
         node.fail(f"there is no file {file}")
-    text, error, warning = _printed("export", str(place))
+    models, joints, warning = _kept.get(_version(place), lambda: _exported(place, node), _size_of_states)
+    for words in warning.splitlines():
+        print(f"{node.at}: {words}", file=sys.stderr)
+    if not models:
+        node.fail(f"{file} has no state of a world", "pongsim run --record-path FOLDER records it")
+    return models, joints
+
+
+def _version(file: pathlib.Path) -> tuple[str, int, int]:
+    """Returns what differs where a file is written anew."""
+    status = file.stat()
+    return str(file), status.st_mtime_ns, status.st_size
+
+
+def _exported(file: pathlib.Path, node: Node) -> tuple[States, States, str]:
+    """Returns the states, and a warning about them."""
+    text, error, warning = _printed("export", str(file))
     if error and text.count("\n") < 2:
         node.fail(error)
-    if kind == "pose":
-        # of one that is cut off, and read up to there
-        for words in (f"warning: {error}; it is compared up to there" if error else warning).splitlines():
-            print(f"{node.at}: {words}", file=sys.stderr)
-    found = _states(str(place), text)[0 if kind == "pose" else 1]
-    if not found and kind == "pose":
-        node.fail(f"{file} has no state of a world", "pongsim run --record-path FOLDER records it")
-    return found
+    # of one that is cut off, and read up to there
+    return *_states(text), f"warning: {error}; it is compared up to there" if error else warning
 
 
-@functools.lru_cache(maxsize=8)
-def _states(file: str, text: str) -> tuple[States, States]:
+def _size_of_states(exported: tuple[States, States, str]) -> int:
+    models, joints, _ = exported
+    of_models, of_joints = (sum(len(times) for times, _ in found.values()) for found in (models, joints))
+    return ((1 + len(FIELDS)) * of_models + 2 * of_joints) * _BYTES_PER_NUMBER
+
+
+def _states(text: str) -> tuple[States, States]:
     log = StateLog()
     for line in text.splitlines():
         if '"type": "ignition.msgs.SerializedStateMap"' in line:
@@ -78,7 +121,7 @@ def _of_state(file: pathlib.Path, signal: tuple[str, str], field: str, node: Nod
     fields = ["position"] if kind == "joint" else FIELDS
     if field not in fields:
         node.fail(f"a recording has no '{field}' of a {kind}", f"there is: {', '.join(fields)}")
-    found = states(file, kind, node)
+    found = states(file, node)[0 if kind == "pose" else 1]
     if name not in found:
         node.fail(f"{file} has no {kind} of '{name}'", nearest(name, found))
     return values_of(found[name], fields.index(field), field)
@@ -99,7 +142,13 @@ def _unwrapped(angles: list[float]) -> list[float]:
     return result
 
 
-@functools.lru_cache(maxsize=64)
+def _of_topic(file: pathlib.Path, topic: str, field: str, node: Node) -> Values:
+    text, error, _ = _printed("export", str(file), topic, field, "--csv")
+    if error:
+        node.fail(error)
+    return _parse(text, file, node)
+
+
 def _printed(*words: str) -> tuple[str, str, str]:
     """Returns what `pongsim log` prints, its error, and its warning. With an error, it prints what comes before."""
     try:
