@@ -64,17 +64,16 @@ bool Gate::wait(Wanted wanted, std::chrono::nanoseconds timeout) {
   return std::exchange(queue_.woken, false);
 }
 
-void Gate::serve(Wanted wanted) {
+std::size_t Gate::serve(Wanted wanted) {
   std::uint64_t limit = 0;
   {
     const WaitingLock lock(bus_.delivery().mutex);
     limit = lastOf(wanted).nextRequest;
   }
-  bus_.serve(queue_, limit);
+  return bus_.serve(queue_, limit);
 }
 
 void Gate::pass(Wanted wanted) {
-  serve(wanted);
   {
     const WaitingLock lock(bus_.delivery().mutex);
     limit_ = lastOf(wanted).end;

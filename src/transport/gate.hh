@@ -46,9 +46,10 @@ class Gate {
   bool wait(Wanted wanted, std::chrono::nanoseconds timeout);
 
   /// Handles the requests that came before the tick was complete, and no messages.
-  void serve(Wanted wanted);
+  /// @return The number of requests and responses handled.
+  std::size_t serve(Wanted wanted);
 
-  /// Calls `serve`, takes in the tick's messages, or as many of them as there are, and dispatches.
+  /// Takes in the tick's messages, or as many of them as there are, and dispatches. Call `serve` before.
   void pass(Wanted wanted);
 
   /// While paused, requests are handled whenever they come.

@@ -57,6 +57,8 @@ void InputGate::handOver(Intake next) {
   queue_.requestsWaiting = true;
 }
 
+void InputGate::serve() { bus_.serve(queue_, Inbox::kNoLimit); }
+
 void Bus::note(DispatchQueue& queue) {
   Intake& intake = queue.gate->intake;
   std::vector<const Inbox*> reached;

@@ -71,6 +71,8 @@ class InputGate {
 
   /// Gives the next dispatch what it takes in.
   void handOver(Intake next);
+  /// A dispatch of requests only, as a world in lockstep makes them while it waits.
+  void serve();
   /// Topics and services of the last dispatch that the world does not have: "a subscription to '/cmd_vel'".
   std::vector<std::string> missing;
 

@@ -156,6 +156,17 @@ TEST(InputGate, PlaysRequestsFromOutsideWhereTheyWere) {
       [](World& world) { world.requestOwn(2); }, {"asked:1", "asked:2", "asked:3"});
 }
 
+TEST(InputGate, PlaysRequestsWithoutMessages) {
+  World world;
+  InputGate gate(world.transport, InputGate::Use::kReplace);
+  world.publishOwn(1);
+  gate.handOver({{}, {}, {{0, "/ask", {}}}});
+  gate.serve();
+  EXPECT_EQ(world.heard, (Words{"asked:0"}));
+  world.transport.dispatch();
+  EXPECT_EQ(world.heard, (Words{"asked:0", "a0:1", "a2:1"}));
+}
+
 TEST(InputGate, TakesWhatAnotherThreadOfAPartPublishesForInput) {
   World world;
   InputGate gate(world.transport, InputGate::Use::kNote);

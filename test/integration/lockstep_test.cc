@@ -18,6 +18,7 @@
 
 #include "integration/program.hh"
 #include "pongsim/node.hh"
+#include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 #include "support/wait_until.hh"
 
@@ -163,6 +164,39 @@ TEST(Lockstep, WaitsForTheControllerBeforeTheFirstStep) {
   const Driver driver([](std::uint64_t) { return true; });
   EXPECT_EQ(world->wait(), 0) << world->error();
   EXPECT_TRUE(waitUntil([&] { return driver.answers() == 3; }));
+}
+
+/// With messages on several topics, services that are called while the world waits, a pause and a reset.
+TEST(Lockstep, RecordsItsInputsForAReplay) {
+  const TempFolder folder;
+  const std::string recording = (folder.path() / "run.inputs").string();
+  const auto ask = [](const std::string& service, const std::string& type, const std::string& request) {
+    const Outcome asked =
+        runToEnd({"service", "-s", "/world/pong_world/" + service, "--reqtype", "ignition.msgs." + type, "--reptype",
+                  "ignition.msgs.Boolean", "--timeout", "60000", "--req", request});
+    EXPECT_EQ(asked.exitCode, 0) << asked.error;
+  };
+  int resets = 0;
+  const Driver driver([&](std::uint64_t step) {
+    if (step == 100) ask("set_pose", "Pose", "name: 'pong_bot', position {y: 0.5, z: 0.3}");
+    if (step == 150)
+      ask("create", "EntityFactory", "clone_name: 'pong_bot', name: 'twin', pose {position {y: 3, z: 1}}");
+    if (step == 200 && resets++ == 0) ask("control", "WorldControl", "reset {all: true}");
+    if (step == 250) ask("remove", "Entity", "name: 'twin', type: MODEL");
+    if (step == 250) ask("control", "WorldControl", "pause: true");
+    if (step == 250) ask("control", "WorldControl", "pause: false");
+    return true;
+  });
+  const Outcome run = runToEnd(lockstepRun({"--iterations", "500", "--record-inputs", recording}));
+  ASSERT_EQ(run.exitCode, 0) << run.error;
+  EXPECT_EQ(resets, 2);
+  const std::string hash = run.output.substr(run.output.find(": ") + 2, 16);
+  for (const char* threads : {"1", "2"}) {
+    const Outcome replay = runToEnd({"replay", recording, "--threads", threads});
+    EXPECT_EQ(replay.exitCode, 0) << replay.error << replay.output;
+    EXPECT_NE(replay.output.find("is as recorded up to step 500"), std::string::npos) << replay.output;
+    EXPECT_NE(replay.output.find("state hash " + hash), std::string::npos) << replay.output;
+  }
 }
 
 TEST(Lockstep, SaysWhatIsWrongWithItsOptions) {

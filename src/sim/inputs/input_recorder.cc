@@ -42,7 +42,8 @@ InputRecorder::~InputRecorder() {
 }
 
 void InputRecorder::add(Passage::Kind kind) {
-  const bool isListed = kind >= Passage::Kind::kIntake;
+  const bool isListed =
+      kind == Passage::Kind::kIntake || kind == Passage::Kind::kFolder || kind == Passage::Kind::kChange;
   if (!isListed && !passage_.runs.empty() && passage_.runs.back().kind == kind) {
     ++passage_.runs.back().count;
   } else {
@@ -54,20 +55,29 @@ void InputRecorder::addPending() {
   if (pending_) add(*std::exchange(pending_, std::nullopt));
 }
 
+void InputRecorder::addIntake() {
+  if (gate_.intake.isEmpty()) return;
+  taken_ += sizeOf(gate_.intake);
+  passage_.intakes.push_back(std::exchange(gate_.intake, {}));
+  add(Passage::Kind::kIntake);
+}
+
 void InputRecorder::dispatched() {
   const bool endsPausedStep = pending_ == Passage::Kind::kPausedAdvance;
   if (!endsPausedStep) addPending();
-  if (!gate_.intake.isEmpty()) {
-    taken_ += sizeOf(gate_.intake);
-    passage_.intakes.push_back(std::exchange(gate_.intake, {}));
-    add(Passage::Kind::kIntake);
-  }
+  addIntake();
   if (endsPausedStep) {
     pending_.reset();
     add(Passage::Kind::kPausedStep);
   } else {
     pending_ = Passage::Kind::kDispatch;
   }
+}
+
+void InputRecorder::served() {
+  addPending();
+  addIntake();
+  add(Passage::Kind::kServe);
 }
 
 void InputRecorder::advanced(bool paused) {

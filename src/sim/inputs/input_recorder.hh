@@ -22,11 +22,13 @@ class InputRecorder final : public RunObserver {
   ~InputRecorder() override;
 
   void dispatched() override;
+  void served() override;
   void advanced(bool paused) override;
   void folderAdded(const std::filesystem::path& folder) override;
 
  private:
   void add(Passage::Kind kind);
+  void addIntake();
   void addPending();
   void recordState();
   void noteUnrecorded();

@@ -159,7 +159,7 @@ void RunStart::transfer(StateArchive& archive) {
 }
 
 void Passage::Run::transfer(StateArchive& archive) {
-  archive(kind, Kind::kChange);
+  archive(kind, Kind::kServe);
   archive(count);
 }
 

@@ -61,7 +61,9 @@ struct Passage {
     /// The next one of `folders` is added.
     kFolder,
     /// The next step makes the next one of `changes`.
-    kChange
+    kChange,
+    /// A dispatch of requests, and no messages.
+    kServe
   };
   /// As often as `count` says.
   struct Run {

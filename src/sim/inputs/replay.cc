@@ -63,6 +63,9 @@ bool Replay::advance() {
       case kDispatch:
         dispatch();
         break;
+      case kServe:
+        serve();
+        break;
       case kStep:
         dispatch();
         step(false);
@@ -84,6 +87,15 @@ bool Replay::advance() {
 
 void Replay::dispatch() {
   simulation_.transport().dispatch();
+  takeMissing();
+}
+
+void Replay::serve() {
+  gate_.serve();
+  takeMissing();
+}
+
+void Replay::takeMissing() {
   missing_.insert(missing_.end(), gate_.missing.begin(), gate_.missing.end());
   gate_.missing.clear();
 }

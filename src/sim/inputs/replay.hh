@@ -43,6 +43,8 @@ class Replay {
  private:
   bool next(Passage::Kind& kind);
   void dispatch();
+  void serve();
+  void takeMissing();
   void step(bool paused);
 
   const Tape& tape_;

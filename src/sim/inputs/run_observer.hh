@@ -10,6 +10,8 @@ class RunObserver {
   virtual ~RunObserver() = default;
   /// Messages and requests were handed over.
   virtual void dispatched() = 0;
+  /// Requests were handled, and no messages.
+  virtual void served() = 0;
   /// A step was made, or without moving anything if the run is paused.
   virtual void advanced(bool paused) = 0;
   /// A request to another world has added a resource folder.

@@ -79,6 +79,7 @@ Outcome<bool> Lockstep::takeIn(const Run& run) {
     if (!isDue(step)) {
       gate_.setPaused(false);
       simulation_.transport().dispatch();
+      run.dispatched();
       return {true, {}};
     }
     // also after a reset
@@ -87,10 +88,10 @@ Outcome<bool> Lockstep::takeIn(const Run& run) {
       want(step);
       settleLate();
     }
-    if (isReady(*wait)) return pass(step);
+    if (isReady(*wait)) return pass(step, run);
     const Outcome<bool> isOver = checkTime(*wait);
     if (!isOver) return isOver;
-    if (*isOver.value) return pass(step);
+    if (*isOver.value) return pass(step, run);
     waitOnce(*wait, run);
   }
   return {false, {}};
@@ -104,14 +105,19 @@ void Lockstep::waitOnce(const Wait& wait, const Run& run) {
     // as while paused: carriers find who is there within the systems' calls
     gate_.setPaused(true);
     simulation_.transport().dispatchFor(slice);
+    run.dispatched();
     run.callSystems();
     return;
   }
   gate_.setPaused(false);
   // systems are called for requests that came by a carrier; not more often, since some publish by wall time
   const bool isWoken = gate_.wait(wanted_, slice);
-  gate_.serve(wanted_);
+  serve(run);
   if (isWoken) run.callSystems();
+}
+
+void Lockstep::serve(const Run& run) {
+  if (gate_.serve(wanted_) > 0) run.served();
 }
 
 Outcome<bool> Lockstep::checkTime(Wait& wait) {
@@ -133,14 +139,17 @@ Outcome<bool> Lockstep::checkTime(Wait& wait) {
   return {false, {}};
 }
 
-Outcome<bool> Lockstep::pass(std::uint64_t step) {
+Outcome<bool> Lockstep::pass(std::uint64_t step, const Run& run) {
   gate_.setPaused(false);
   passed_ = step;
   if (step == 0) {
     simulation_.transport().dispatch();
+    run.dispatched();
     return {true, {}};
   }
+  serve(run);
   gate_.pass(wanted_);
+  run.dispatched();
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     if (gate_.waiting(i) <= kMostAhead) continue;
     const LockstepOptions::Topic& topic = options_.topics[i];

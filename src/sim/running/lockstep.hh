@@ -31,6 +31,9 @@ class Lockstep {
     std::function<bool()> goesOn;
     /// Calls the systems without a step.
     std::function<void()> callSystems;
+    /// Told that messages and requests were handed over, or only requests.
+    std::function<void()> dispatched = [] {};
+    std::function<void()> served = [] {};
   };
 
   /// Dispatches before a step, after waiting for what is due. Meanwhile requests are handled.
@@ -59,7 +62,8 @@ class Lockstep {
   void waitOnce(const Wait& wait, const Run& run);
   /// @return Whether the wait is over, because it took too long.
   Outcome<bool> checkTime(Wait& wait);
-  Outcome<bool> pass(std::uint64_t step);
+  Outcome<bool> pass(std::uint64_t step, const Run& run);
+  void serve(const Run& run);
   bool areAllSending() const;
   std::string lacking(std::uint64_t step) const;
 

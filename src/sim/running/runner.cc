@@ -134,6 +134,10 @@ void Runner::dispatched() {
   if (parts_->observer) parts_->observer->dispatched();
 }
 
+void Runner::served() {
+  if (parts_->observer) parts_->observer->served();
+}
+
 /// One step; zero: nothing moves.
 void Runner::advance(Time dt) {
   parts_->simulation.advance(dt);
@@ -180,7 +184,9 @@ bool Runner::takeIn() {
                                                             doTasks();
                                                             return !parts.control.paused() && !isOver();
                                                           },
-                                                      .callSystems = [&] { advance(Time::zero()); }});
+                                                      .callSystems = [&] { advance(Time::zero()); },
+                                                      .dispatched = [&] { dispatched(); },
+                                                      .served = [&] { served(); }});
   if (taken) return *taken.value;
   outcome_.error = taken.error;
   stop();

@@ -66,6 +66,7 @@ class Runner {
   bool isOver() const;
   void doTasks();
   void dispatched();
+  void served();
   void advance(Time dt);
   void waitPaused();
   bool takeIn();
