@@ -16,7 +16,7 @@ struct Signal {
     /// The messages of a topic; its fields are paths such as `pose.position.x`, and `min(ranges)`, `max(ranges)`,
     /// `mean(ranges)` and `size(ranges)` of a list of numbers.
     kTopic,
-    /// Pose of a model or link in the world frame: x, y, z [m], roll, pitch, yaw [rad].
+    /// Pose of a model, link or actor in the world frame: x, y, z [m], roll, pitch, yaw [rad].
     kPose,
     /// Velocity of a link, or of a model's canonical link, in the world frame: x, y, z, speed [m/s], and roll, pitch,
     /// yaw: the angular velocity about x, y, z [rad/s].
@@ -27,7 +27,7 @@ struct Signal {
     kContact,
   };
   Kind kind = Kind::kTopic;
-  /// A topic; "model" or "model::link"; "model::joint"; of a contact "model", "model::link" or
+  /// A topic; "model", "model::link" or "actor"; "model::joint"; of a contact "model", "model::link" or
   /// "model::link::collision".
   std::string name;
   /// What a contact is with; empty: anything.

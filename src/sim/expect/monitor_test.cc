@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "pongsim/actor.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::test {
@@ -94,6 +95,25 @@ TEST_F(MonitorTest, SeesLinksJointsAndVelocities) {
                   {{Kind::kJoint, "arm::hinge"}, {{.field = "position", .relation = Relation::kNear, .other = 0.01}}}));
   verdictAfter(0.5, 0);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(monitor_.verdict(i).state, State::kMet) << monitor_.verdict(i).seen;
+}
+
+TEST(Monitor, SeesActors) {
+  RunningWorld world(std::string(R"(<actor name="walker"><pose>1 2 3 0 0 0</pose></actor>)"));
+  Simulation& simulation = world.simulation();
+  Monitor monitor(simulation);
+  const auto add = [&](const Signal& signal) {
+    return monitor.add({.mode = Mode::kEventually, .events = {{signal, {{"y", Relation::kNear, 5}}}}});
+  };
+  ASSERT_TRUE(add({Kind::kPose, "walker"}));
+  simulation.step(1);
+  monitor.look();
+  EXPECT_EQ(monitor.verdict(0).state, State::kPending);
+  Actor::find(simulation.world(), "walker")->move({{1, 5, 3}, Quaternion::Identity()});
+  simulation.step(1);
+  monitor.look();
+  EXPECT_EQ(monitor.verdict(0).state, State::kMet);
+  EXPECT_EQ(add({Kind::kPose, "walkr"}).error, "there is no model 'walkr' (did you mean 'walker'?)");
+  EXPECT_EQ(add({Kind::kVelocity, "walker"}).error, "there is no model 'walker'");
 }
 
 TEST_F(MonitorTest, SeesContacts) {

@@ -8,6 +8,8 @@
 
 #include "base/nearest_word.hh"
 #include "base/text.hh"
+#include "pongsim/actor.hh"
+#include "pongsim/scene.hh"
 
 namespace pongsim::sim {
 
@@ -59,6 +61,15 @@ struct Source {
   std::function<bool(Numbers&)> read;
 };
 
+/// @param models More that there is, besides models.
+std::string notThere(const World& world, const std::string& name, std::vector<std::string> models = {}) {
+  std::vector<std::string> links, joints;
+  addNames(world.models(), models, links, joints);
+  const bool isLink = name.find("::") != std::string::npos;
+  return std::string("there is no ") + (isLink ? "link" : "model") + " '" + name + "'" +
+         hintFrom(name, isLink ? links : models);
+}
+
 Outcome<Source> poseSource(const World& world, const std::string& name) {
   const auto take = [](const Pose& pose, Numbers& to) {
     const Vector3 angles = rollPitchYawOf(pose.rotation);
@@ -72,12 +83,12 @@ Outcome<Source> poseSource(const World& world, const std::string& name) {
   if (const auto link = findLink(world, name)) {
     return {Source{fields, [=, link = *link](Numbers& to) { return link.exists() && take(link.pose(), to); }}, ""};
   }
-  std::vector<std::string> models, links, joints;
-  addNames(world.models(), models, links, joints);
-  const bool isLink = name.find("::") != std::string::npos;
-  return {{},
-          std::string("there is no ") + (isLink ? "link" : "model") + " '" + name + "'" +
-              hintFrom(name, isLink ? links : models)};
+  if (const auto actor = Actor::find(world, name)) {
+    return {Source{fields, [=, actor = *actor](Numbers& to) { return actor.exists() && take(actor.pose(), to); }}, ""};
+  }
+  std::vector<std::string> actors;
+  for (const ActorPlace& actor : Scene(world).actors()) actors.emplace_back(actor.name);
+  return {{}, notThere(world, name, std::move(actors))};
 }
 
 Outcome<Source> velocitySource(const World& world, const std::string& name) {
@@ -86,8 +97,7 @@ Outcome<Source> velocitySource(const World& world, const std::string& name) {
     link = model->canonicalLink();
     if (!link) return {{}, "model '" + name + "' has no link of its own (name one: " + name + "::LINK)"};
   }
-  // for its message
-  if (!link) return poseSource(world, name);
+  if (!link) return {{}, notThere(world, name)};
   const std::vector<std::string> fields{"x", "y", "z", "speed", "roll", "pitch", "yaw"};
   return {Source{fields,
                  [link = *link](Numbers& to) {

@@ -51,7 +51,7 @@ def topic(name: str) -> Signal:
 
 
 def pose(name: str) -> Signal:
-    """The pose of a model or link ("model::link") in the world: x, y, z [m], roll, pitch, yaw [rad]."""
+    """The pose of a model, link ("model::link") or actor in the world: x, y, z [m], roll, pitch, yaw [rad]."""
     return Signal("pose", name)
 
 
