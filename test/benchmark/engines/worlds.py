@@ -1,9 +1,11 @@
 """The worlds in which steps are timed, each with a number that says how true it was."""
 
+import functools
 import math
 
 import numpy
 
+import trees
 from scene import Body, Joint, Scene, matrix, moments_of, solid, turn
 
 RADIUS, HALF_SEPARATION = 0.4, 0.6
@@ -153,15 +155,18 @@ class Swinging:
 
     unit = ""
     contacts = 0
-    skipped, measured = 100, 100
+    skipped = 100
 
-    def __init__(self, name, scene):
-        self.name, self.scene = name, scene
+    def __init__(self, name, scene, count=1):
+        self.name, self.scene, self.count = name, scene, count
+        self.measured = max(10, 100 // count)
 
     def check(self, made):
         pass
 
     def error(self, engine, step):
+        if self.count > 1:
+            return None
         scene = self.scene()
         made = engine(scene, step)
         made.step(1)
@@ -194,37 +199,60 @@ def chain():
     return Scene(bodies, joints, ground=False)
 
 
-def humanoid():
-    """A tree of 18 bodies and 17 hinges as those of a humanoid, tumbling without gravity."""
-    bodies, joints = [], []
+class Standing:
+    """Robots on the ground, moved by their motors; the error is how far parts of one are from their places after 0.3 s.
 
-    # initially, all links move like one rigid body that turns about the pelvis
-    spin, middle = (0.5, 2.0, 1.0), (0, 0, 1.0)
+    places: where these are after a time [s], by name.
+    """
 
-    def add(name, size, mass, place, parent=None, anchor=None, axis=(0, 1, 0)):
-        velocity = {"turning": spin, "velocity": tuple(numpy.cross(spin, numpy.subtract(place, middle)))}
-        bodies.append(Body(name, None, mass, moments_of(("box", *size), mass), place, model="humanoid", **velocity))
-        if parent:
-            joints.append(Joint(f"{name}_joint", "hinge", parent, name, anchor, axis))
+    unit = "m"
+    skipped = 300
 
-    add("pelvis", (0.2, 0.3, 0.15), 9.0, middle)
-    add("waist", (0.18, 0.25, 0.15), 6.0, (0, 0, 1.15), "pelvis", (0, 0, 1.08))
-    add("torso", (0.2, 0.35, 0.3), 15.0, (0, 0, 1.38), "waist", (0, 0, 1.22), (0, 0, 1))
-    add("head", (0.18, 0.16, 0.22), 4.5, (0, 0, 1.68), "torso", (0, 0, 1.56))
-    for side, y in (("left", 1), ("right", -1)):
-        add(f"{side}_shoulder", (0.1, 0.1, 0.1), 1.0, (0, 0.22 * y, 1.48), "torso", (0, 0.2 * y, 1.48), (1, 0, 0))
-        add(f"{side}_arm", (0.08, 0.08, 0.28), 2.0, (0, 0.24 * y, 1.33), f"{side}_shoulder", (0, 0.24 * y, 1.47))
-        add(f"{side}_forearm", (0.07, 0.07, 0.25), 1.5, (0, 0.24 * y, 1.06), f"{side}_arm", (0, 0.24 * y, 1.19))
-        add(f"{side}_hip", (0.1, 0.1, 0.1), 1.5, (0, 0.1 * y, 0.92), "pelvis", (0, 0.1 * y, 0.95), (1, 0, 0))
-        add(f"{side}_thigh", (0.13, 0.13, 0.4), 7.0, (0, 0.1 * y, 0.7), f"{side}_hip", (0, 0.1 * y, 0.9))
-        add(f"{side}_shin", (0.1, 0.1, 0.4), 4.0, (0, 0.1 * y, 0.29), f"{side}_thigh", (0, 0.1 * y, 0.49))
-    for side, y in (("left", 1), ("right", -1)):
-        add(f"{side}_foot", (0.25, 0.1, 0.06), 1.2, (0.05, 0.1 * y, 0.05), f"{side}_shin", (0, 0.1 * y, 0.09))
-    return Scene(bodies, joints, gravity=(0, 0, 0), ground=False)
+    def __init__(self, name, scene, count, contacts, places):
+        self.name, self.scene, self.count, self.contacts, self.places = name, scene, count, contacts * count, places
+        self.measured = max(10, 100 // count)
+
+    def check(self, made):
+        self.off(made, self.skipped * 0.001, 0.05)
+
+    def error(self, engine, step):
+        if self.count > 1:
+            return None
+        made = engine(self.scene(), step)
+        made.step(round(0.3 / step))
+        off = self.off(made, 0.3)
+        made.close()
+        return off
+
+    def off(self, made, seconds, most=math.inf):
+        """How far the farthest part is from its place; raises RuntimeError where that is more than `most` [m]."""
+        off = max(
+            float(numpy.linalg.norm(numpy.subtract(made.body(name)[0], place)))
+            for name, place in self.places(seconds).items()
+        )
+        if off > most:
+            raise RuntimeError(f"{self.name} does not stand: it is {off} m from its place")
+        return off
+
+
+#: Trees of links, free and standing: their names, scenes and points of contact, and where parts of them have to be.
+TREES = (
+    ("humanoid, 18 links", "humanoid standing", trees.humanoid, 8, trees.humanoid_places),
+    ("quadruped, 13 links", "quadruped standing", trees.quadruped, 4, trees.quadruped_places),
+    ("arm of 7 joints", "arm on a base", trees.arm, 4, trees.arm_places),
+)
+
+
+def on_trees():
+    for free, standing, scene, contacts, places in TREES:
+        for count in (1, 50):
+            suffix = f" x{count}" if count > 1 else ""
+            yield Swinging(free + suffix, functools.partial(scene, count, False), count)
+            yield Standing(standing + suffix, functools.partial(scene, count, True), count, contacts, places)
 
 
 #: Worlds whose error depends on the length of a step.
-ON_JOINTS = ("chain of 100 links", "humanoid, 18 links")
+ON_JOINTS = ("chain of 100 links", TREES[0][0])
 
 
 def cases(counts):
@@ -233,5 +261,5 @@ def cases(counts):
         shapes(),
         pile(),
         Swinging(ON_JOINTS[0], chain),
-        Swinging(ON_JOINTS[1], humanoid),
+        *on_trees(),
     ]
