@@ -28,6 +28,7 @@ from .state import Layout
 from .system import System
 from .values import Contacts, JointAxis, Pose, RayHit, RayHits
 from .viewing import View
+from .worlds import to_sdf
 
 __all__ = [
     "Busy",
@@ -60,5 +61,6 @@ __all__ = [
     "message_types",
     "messages",
     "set_log_level",
+    "to_sdf",
     "worlds",
 ]

@@ -63,3 +63,17 @@ def nearest(world: str) -> str:
     from .names import closest
 
     return closest(world, names())
+
+
+def to_sdf(world: str | os.PathLike[str]) -> str:
+    """Returns what a file says as one text in SDF: of an SDF, URDF or xacro file, or a model's folder, with each `<include>`
+    replaced by its content, and absolute paths. The file is found as `Simulation` finds it.
+
+    Raises LoadError with file, line and column, and ValueError for a text.
+    """
+    from . import _core
+
+    found = find(world)
+    if "<" in found:
+        raise ValueError("to_sdf wants a file, not a text")
+    return _core.resolved_sdf(found)

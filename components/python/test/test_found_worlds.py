@@ -37,6 +37,28 @@ def test_one_that_is_nowhere_is_named_as_it_was_given():
         pongsim.Simulation("")
 
 
+def test_one_text_of_a_file_and_all_that_it_includes(tmp_path, monkeypatch):
+    text = pongsim.to_sdf("pong_world.sdf")
+    with pongsim.Simulation(text, seed=7) as sim, pongsim.Simulation(COURT, seed=7) as same:
+        sim.step(10), same.step(10)
+        assert sim.state_hash() == same.state_hash()
+    (tmp_path / "part.sdf").write_text("<sdf version='1.9'><model name='part'><link name='l'/></model></sdf>")
+    whole = tmp_path / "whole.sdf"
+    whole.write_text("<sdf version='1.9'><world name='w'><include><uri>part.sdf</uri></include></world></sdf>")
+    assert "<include>" not in pongsim.to_sdf(whole) and "name='part'" in pongsim.to_sdf(whole).replace('"', "'")
+    robot = tmp_path / "robot.urdf"
+    robot.write_text("<robot name='r'><link name='l'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' "
+                     "ixz='0' iyz='0'/></inertial></link></robot>")
+    assert "<sdf" in pongsim.to_sdf(robot)
+    whole.write_text("<sdf version='1.9'>\n<world/></sdf>")
+    with pytest.raises(pongsim.LoadError, match=r"whole\.sdf:2"):
+        pongsim.to_sdf(whole)
+    with pytest.raises(pongsim.LoadError, match="no_such.sdf"):
+        pongsim.to_sdf("no_such.sdf")
+    with pytest.raises(ValueError, match="a file"):
+        pongsim.to_sdf("<sdf version='1.9'/>")
+
+
 def test_in_a_wheel(tmp_path):
     """The package's folder has everything, as in a wheel."""
     package = tmp_path / "site/pongsim"
