@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,25 +27,46 @@ std::vector<Handle<Inner>> handles(const std::shared_ptr<Life>& life, std::vecto
 
 /// Raises KeyError for an unknown name, with the most similar one.
 template <class Inner>
-Handle<Inner> found(const std::shared_ptr<Life>& life, const std::optional<Inner>& inner, const std::string& what,
-                    const std::string& name, const std::vector<Inner>& others) {
+Handle<Inner> found(const std::shared_ptr<Life>& life, const std::optional<Inner>& inner, const Model& model,
+                    const char* kind, const std::string& name, const std::vector<Inner>& others) {
   if (inner) return {life, *inner};
   std::vector<std::string_view> names;
   for (const Inner& other : others) names.push_back(other.name());
   const std::string hint = didYouMean(name, names);
-  throw py::key_error(what + " has no '" + name + "'" + (hint.empty() ? "" : "; " + hint));
+  throw py::key_error("model '" + model.scopedName() + "' has no " + kind + " '" + name + "'" +
+                      (hint.empty() ? "" : "; " + hint));
 }
+
+// larger commands have no effect: the same numbers as in `docs/physics.md` [N or N m], [m/s or rad/s]
+constexpr double kMostForce = 1e10;
+constexpr double kMostVelocity = 1e8;
 
 double finite(double number, const char* what) {
   if (!std::isfinite(number)) throw py::value_error(std::string(what) + " must be finite");
   return number;
 }
 
+/// Raises ValueError for what is beyond a bound.
+double within(double most, double number, const char* what) {
+  if (std::abs(finite(number, what)) <= most) return number;
+  std::ostringstream text;
+  text << what << " must be at most " << most << ", not " << number;
+  throw py::value_error(text.str());
+}
+
+Vector3 within(double most, py::handle three, const char* what) {
+  const Vector3 vector = vectorOf(three, what);
+  for (const double number : vector) within(most, number, what);
+  return vector;
+}
+
 /// @return An existing axis of the joint.
 int axisOf(const Joint& joint, int axis) {
   if (axis >= 0 && axis < joint.axisCount()) return axis;
-  throw py::index_error("joint '" + std::string(joint.name()) + "' has " + std::to_string(joint.axisCount()) +
-                        " axes with a position; there is no axis " + std::to_string(axis));
+  const int count = joint.axisCount();
+  throw py::index_error("joint '" + std::string(joint.name()) + "' has " + std::to_string(count) +
+                        (count == 1 ? " axis" : " axes") + " with a position; there is no axis " +
+                        std::to_string(axis));
 }
 
 /// Raises Refused for what is static: a command to it would have no effect.
@@ -113,7 +135,8 @@ void bindModel(py::class_<PyModel>& type) {
       .def(
           "set_velocity",
           [](PyModel& self, py::handle linear, py::handle angular) {
-            moving(self).setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+            moving(self).setVelocity(within(kMostVelocity, linear, "a velocity"),
+                                     within(kMostVelocity, angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
           "Sets the velocity of the model frame's origin [m/s] and the angular velocity [rad/s], both in the world "
@@ -131,15 +154,14 @@ void bindModel(py::class_<PyModel>& type) {
           "link",
           [](PyModel& self, const std::string& name) {
             Model& model = self.use();
-            return found<Link>(self.life, model.link(name), "model '" + model.scopedName() + "'", name, model.links());
+            return found<Link>(self.life, model.link(name), model, "link", name, model.links());
           },
           py::arg("name"), "The link with that name; in nested models \"inner::wheel\". Raises KeyError.")
       .def(
           "joint",
           [](PyModel& self, const std::string& name) {
             Model& model = self.use();
-            return found<Joint>(self.life, model.joint(name), "model '" + model.scopedName() + "'", name,
-                                model.joints());
+            return found<Joint>(self.life, model.joint(name), model, "joint", name, model.joints());
           },
           py::arg("name"), "The joint with that name; in nested models \"inner::hinge\". Raises KeyError.");
 }
@@ -166,7 +188,7 @@ void bindLink(py::class_<PyLink>& type) {
       .def(
           "add_wrench",
           [](PyLink& self, py::handle force, py::handle torque) {
-            moving(self).addWrench(vectorOf(force, "a force"), vectorOf(torque, "a torque"));
+            moving(self).addWrench(within(kMostForce, force, "a force"), within(kMostForce, torque, "a torque"));
           },
           py::arg("force"), py::arg("torque") = py::make_tuple(0.0, 0.0, 0.0),
           "Applies a force at the link frame's origin [N] and a torque [N m] during the next step, both in the world "
@@ -174,7 +196,8 @@ void bindLink(py::class_<PyLink>& type) {
       .def(
           "set_velocity",
           [](PyLink& self, py::handle linear, py::handle angular) {
-            moving(self).setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+            moving(self).setVelocity(within(kMostVelocity, linear, "a velocity"),
+                                     within(kMostVelocity, angular, "an angular velocity"));
           },
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
           "Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], both in the world "
@@ -199,7 +222,7 @@ void bindJoint(py::class_<PyJoint>& type) {
           [](PyJoint& self, std::optional<double> velocity, int axis) {
             Joint& joint = self.use();
             if (velocity) {
-              joint.setVelocityTarget(finite(*velocity, "a velocity"), axisOf(joint, axis));
+              joint.setVelocityTarget(within(kMostVelocity, *velocity, "a velocity"), axisOf(joint, axis));
             } else {
               joint.clearVelocityTarget(axisOf(joint, axis));
             }
@@ -210,7 +233,7 @@ void bindJoint(py::class_<PyJoint>& type) {
       .def(
           "add_force",
           [](PyJoint& self, double force, int axis) {
-            self.use().addForce(finite(force, "a force"), axisOf(self.inner, axis));
+            self.use().addForce(within(kMostForce, force, "a force"), axisOf(self.inner, axis));
           },
           py::arg("force"), py::arg("axis") = 0,
           "Applies a force along the axis [N m or N] during the next step. Several calls add up.")

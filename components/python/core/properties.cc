@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/values.hh"
 #include "pongsim/geometry/shape.hh"
 #include "pongsim/physical_properties.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "pongsim/sensing/sensor.hh"
 
 namespace pongsim::python {
@@ -46,6 +48,28 @@ py::tuple rowsOf(const Matrix3& matrix) {
 int knownAxis(const Joint& joint, int axis) {
   if (axis >= 0 && axis < joint.axisCount()) return axis;
   throw py::index_error("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis));
+}
+
+/// @return "link 'l' has no collision 'd'; did you mean 'c'?"
+[[noreturn]] void raiseUnknown(const Link& link, const char* kind, const std::string& name,
+                               const std::vector<std::string>& known) {
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const std::string hint = didYouMean(name, words);
+  throw py::key_error("link '" + link.scopedName() + "' has no " + kind + " '" + name + "'" +
+                      (hint.empty() ? "" : "; " + hint));
+}
+
+std::vector<std::string> visualNames(const Link& link) {
+  std::vector<std::string> names;
+  for (const Visual& each : link.visuals()) names.push_back(each.name());
+  return names;
+}
+
+Visual visualOf(const Link& link, const std::string& name) {
+  for (const Visual& each : link.visuals()) {
+    if (each.name() == name) return each;
+  }
+  raiseUnknown(link, "visual", name, visualNames(link));
 }
 
 void setFriction(PyCollision& self, double friction, std::optional<double> friction2) {
@@ -143,28 +167,22 @@ void bindProperties(py::class_<PyLink>& link) {
       .def(
           "collision",
           [](PyLink& self, const std::string& name) {
+            std::vector<std::string> names;
             for (const Collision& each : self.use().collisions()) {
               if (each.name() == name) return PyCollision{self.life, each};
+              names.emplace_back(each.name());
             }
-            throw py::key_error("link '" + self.inner.scopedName() + "' has no collision '" + name + "'");
+            raiseUnknown(self.inner, "collision", name, names);
           },
           py::arg("name"), "The collision with that name. Raises KeyError.")
       .def_property_readonly(
-          "visual_names",
-          [](PyLink& self) {
-            std::vector<std::string> names;
-            for (const Visual& each : self.use().visuals()) names.push_back(each.name());
-            return names;
-          },
+          "visual_names", [](PyLink& self) { return visualNames(self.use()); },
           "The names of its visuals, in the order of the file.")
       .def(
           "set_color",
           [](PyLink& self, const std::string& visual, py::handle color) {
             PhysicalProperties changes = properties(self.life);
-            for (const Visual& each : self.use().visuals()) {
-              if (each.name() == visual) return checkOutcome(changes.setColor(each.id(), vectorOf(color, "a colour")));
-            }
-            throw py::key_error("link '" + self.inner.scopedName() + "' has no visual '" + visual + "'");
+            checkOutcome(changes.setColor(visualOf(self.use(), visual).id(), vectorOf(color, "a colour")));
           },
           py::arg("visual"), py::arg("color"),
           "Changes the colour in which cameras and `Simulation.render` see a visual, until the world is reset; its "

@@ -80,12 +80,13 @@ void takeSteps(Life& life, Work work) {
   }
 }
 
-void step(Owner& owner, std::uint64_t count) {
+void step(Owner& owner, std::int64_t count) {
+  if (count < 0) throw py::value_error("a number of steps must be 0 or more, not " + std::to_string(count));
   Life& life = *owner.life;
   Simulation& simulation = life.edit("a step");
   takeSteps(life, [&] {
     if (count == 1) return simulation.step();
-    for (std::uint64_t i = 0; i < count && !life.mustStop(); ++i) simulation.step();
+    for (std::int64_t i = 0; i < count && !life.mustStop(); ++i) simulation.step();
   });
 }
 
@@ -433,7 +434,9 @@ void bindContent(py::class_<Owner>& simulation) {
            "Refused, none. Several at once are faster than one by one.")
       .def("_poses", &poses)
       .def("_joint_states", &jointStates)
-      .def("_find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })
+      .def(
+          "_find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); },
+          py::arg("name"))
       .def("_add_system", &addSystem, py::arg("name"), py::arg("system"))
       .def(
           "lights",
@@ -457,15 +460,23 @@ void bindContent(py::class_<Owner>& simulation) {
           "Raises "
           "ValueError, TypeError and Refused.")
       .def("_add_watcher", &addWatcher, py::arg("filename"), py::arg("name"), py::arg("parameters"))
-      .def("_open_subscription",
-           [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
-             return PythonSubscription::open(self.life, topic, std::move(callback), std::move(type), length);
-           })
-      .def("_publish", [](Owner& self, const std::string& topic, py::handle message,
-                          const std::string& type) { publish(*self.life, topic, message, type); })
-      .def("_ask",
-           [](Owner& self, const std::string& service, py::handle message, const std::string& type, py::handle reply,
-              double timeout) { return request(self.life, service, message, type, reply, timeout); });
+      .def(
+          "_open_subscription",
+          [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
+            return PythonSubscription::open(self.life, topic, std::move(callback), std::move(type), length);
+          },
+          py::arg("topic"), py::arg("callback"), py::arg("type"), py::arg("length"))
+      .def(
+          "_publish",
+          [](Owner& self, const std::string& topic, py::handle message, const std::string& type) {
+            publish(*self.life, topic, message, type);
+          },
+          py::arg("topic"), py::arg("message"), py::arg("type"))
+      .def(
+          "_ask",
+          [](Owner& self, const std::string& service, py::handle message, const std::string& type, py::handle reply,
+             double timeout) { return request(self.life, service, message, type, reply, timeout); },
+          py::arg("service"), py::arg("request"), py::arg("type"), py::arg("reply"), py::arg("timeout"));
 }
 
 }  // namespace

@@ -157,6 +157,8 @@ class Simulation(_core.Simulation):
         namespace: prefix of all its topics, such as "/robot1".
         Raises LoadError, with the position in the file.
         """
+        if not isinstance(source, (str, os.PathLike)):
+            raise TypeError(f"a model must be a file or a text, not {type(source).__name__}")
         model = super().insert(source, name=name, pose=pose, allow_renaming=allow_renaming, namespace=namespace)
         text = os.fspath(source)
         self._edits.append(("insert", {
@@ -448,6 +450,8 @@ def _put(queue: Any, message: Any) -> None:
 
 
 def _parts(name: str, kind: str) -> tuple[str, str]:
+    if not isinstance(name, str):
+        raise TypeError(f"a {kind} must be named by a text, not {type(name).__name__}")
     model, _, own = name.rpartition("::")
     if not model:
         raise KeyError(f"'{name}' names no model: a {kind} is \"model::{own}\"")

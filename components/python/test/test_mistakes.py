@@ -130,8 +130,18 @@ def test_a_command_to_what_is_static(ball):
     ("pongsim.Simulation(BALL, threads='2')", TypeError, "threads must be an integer, not str"),
     ("pongsim.Simulation(BALL, seed=1.5)", TypeError, "a seed must be an integer, not float"),
     ("pongsim.Simulation(BALL, systems=[pongsim.System])", TypeError, r"an object, such as System\(\), not the class"),
+    ("ball.step(-1)", ValueError, "a number of steps must be 0 or more, not -1"),
     ("ball.remove('ball')", TypeError, r"only models can be removed, such as sim.model\('robot'\), not 'ball'"),
+    ("ball.model('ball').link('lnk')", KeyError, "model 'ball' has no link 'lnk'; did you mean 'link'"),
+    ("ball.model('arm').joint('hing')", KeyError, "model 'arm' has no joint 'hing'; did you mean 'hinge'"),
     ("ball.link('link')", KeyError, "names no model: a link is"),
+    ("ball.joint('arm::hing')", KeyError, "model 'arm' has no joint 'hing'; did you mean 'hinge'"),
+    ("ball.joint('arm::hinge').position(4)", IndexError, "has 1 axis with a position; there is no axis 4"),
+    ("ball.joint('arm::hinge').drive(1e99)", ValueError, r"a velocity must be at most 1e\+08, not 1e\+99"),
+    ("ball.joint('arm::hinge').add_force(-1e11)", ValueError, r"a force must be at most 1e\+10, not -1e\+11"),
+    ("ball.link('ball::link').set_velocity((1e9, 0, 0))", ValueError, "a velocity must be at most"),
+    ("ball.model('ball').set_velocity((0, 0, 0), (0, 1e9, 0))", ValueError, "an angular velocity must be at most"),
+    ("ball.link('ball::link').add_wrench((0, 1e11, 0))", ValueError, "a force must be at most"),
     ("setattr(ball, 'qpos', None)", TypeError, "qpos must be an array of numbers, not None"),
     ("setattr(ball, 'qvel', None)", TypeError, "qvel must be an array of numbers, not None"),
     ("ball.set_joint_states([[1, 2]], ['hinge'])", KeyError, "no joint axis 'hinge'; did you mean 'arm::hinge'"),
@@ -142,6 +152,39 @@ def test_a_mistake_in_a_shell(ball, call, kind, said, capfd):
     with pytest.raises(kind, match=said):
         eval(call, {"pongsim": pongsim, "ball": ball, "BALL": BALL})
     assert ball.save() == before and capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("call, said", [
+    ("ball.model(3)", "name must be a text, not int"),
+    ("ball.model(nam='ball')", r"model\(\) has no argument 'nam'; did you mean 'name'"),
+    ("ball.model()", r"model\(\) needs an argument 'name'"),
+    ("ball.model('ball', 3)", r"model\(\) takes 1 argument, not 2"),
+    ("ball.link(3)", "a link must be named by a text, not int"),
+    ("ball.model('ball').link(None)", "name must be a text, not None"),
+    ("ball.joint('arm::hinge').position('first')", "axis must be an integer, not str"),
+    ("ball.joint('arm::hinge').position(0.5)", "axis must be an integer, not float"),
+    ("ball.joint('arm::hinge').drive('fast')", "velocity must be a number or None, not str"),
+    ("ball.joint('arm::hinge').drive(1, axis='x')", "axis must be an integer, not str"),
+    ("ball.link('ball::link').set_mass('heavy')", "mass must be a number, not str"),
+    ("ball.link('ball::link').set_color(3, (1, 1, 1))", "visual must be a text, not int"),
+    ("ball.step('all')", "count must be an integer, not str"),
+    ("ball.step(2**70)", "count is too large a number"),
+    ("ball.save(3)", r"save\(\) takes 0 arguments, not 1"),
+    ("ball.restore('x')", "state must be bytes, not str"),
+    ("ball.insert(BALL, name=3)", "name must be a text, not int"),
+    ("ball.insert(3)", "a model must be a file or a text, not int"),
+    ("ball.sensor(4)", "name must be a text, not int"),
+    ("ball.publish(3, {})", "topic must be a text, not int"),
+    ("ball.subscribe(3, print)", "topic must be a text, not int"),
+    ("ball.request('/s', {}, timeout='long')", "timeout must be a number, not str"),
+    ("setattr(ball, 'step_size', 'short')", "step_size must be a number, not str"),
+    ("pongsim.set_log_level('all')", "level must be an integer, not str"),
+])
+def test_an_argument_of_a_wrong_type_is_named(ball, call, said):
+    before = ball.save()
+    with pytest.raises(TypeError, match=f"^{said}"):
+        eval(call, {"pongsim": pongsim, "ball": ball, "BALL": BALL})
+    assert ball.save() == before
 
 
 def test_links_and_joints_by_their_scoped_names(ball):

@@ -37,7 +37,7 @@ def test_steps_and_time(court):
     for wrong in (float("nan"), float("inf"), 1e300):
         with pytest.raises(ValueError):
             court.run_until(wrong)
-    with pytest.raises(TypeError):
+    with pytest.raises(ValueError):
         court.step(-1)
 
 
