@@ -13,16 +13,16 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr AddCommand kCommands[] = {addVersionOption, addRunCommand,        addReplayCommand,    addBisectCommand,
-                                    addTopicCommand,  addServiceCommand,    addModelCommand,     addWorldCommand,
-                                    addKeyCommand,    addViewCommand,       addMsgCommand,       addSdfCommand,
-                                    addPluginCommand, addCompletionCommand, addExtensionCommands};
+constexpr AddCommand kCommands[] = {addVersionOption, addRunCommand,     addReplayCommand,     addBisectCommand,
+                                    addTopicCommand,  addServiceCommand, addModelCommand,      addWorldCommand,
+                                    addKeyCommand,    addViewCommand,    addDatasetCommand,    addMsgCommand,
+                                    addSdfCommand,    addPluginCommand,  addCompletionCommand, addExtensionCommands};
 
 /// Commands that do not depend on installed extensions.
-constexpr AddCommand kOwnCommands[] = {addVersionOption, addPlainRunCommand,  addReplayCommand, addBisectCommand,
-                                       addTopicCommand,  addServiceCommand,   addModelCommand,  addWorldCommand,
-                                       addKeyCommand,    addViewCommand,      addMsgCommand,    addSdfCommand,
-                                       addPluginCommand, addCompletionCommand};
+constexpr AddCommand kOwnCommands[] = {addVersionOption, addPlainRunCommand, addReplayCommand,    addBisectCommand,
+                                       addTopicCommand,  addServiceCommand,  addModelCommand,     addWorldCommand,
+                                       addKeyCommand,    addViewCommand,     addDatasetCommand,   addMsgCommand,
+                                       addSdfCommand,    addPluginCommand,   addCompletionCommand};
 
 }  // namespace
 

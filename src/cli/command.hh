@@ -22,5 +22,6 @@ void addKeyCommand(CLI::App& program, Work& work);
 void addPluginCommand(CLI::App& program, Work& work);
 void addMsgCommand(CLI::App& program, Work& work);
 void addViewCommand(CLI::App& program, Work& work);
+void addDatasetCommand(CLI::App& program, Work& work);
 
 }  // namespace pongsim::cli
