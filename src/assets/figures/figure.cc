@@ -1,10 +1,16 @@
 #include "assets/figures/figure.hh"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <utility>
 #include <variant>
+
+#include "assets/figures/bvh_motion.hh"
+#include "assets/meshes/mesh_file.hh"
+#include "base/regular_file.hh"
 
 namespace pongsim::assets {
 
@@ -63,21 +69,40 @@ std::unique_ptr<Figure> Figure::load(const description::Actor& actor, const Warn
   return figure;
 }
 
+std::variant<Motion, Problem> Figure::colladaMotion(const std::filesystem::path& file) const {
+  auto read = readSkeleton(file);
+  if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+  std::optional<Skeleton>& source = std::get<0>(read);
+  if (!source || source->motion.tracks.empty()) return Problem{"contains no animation", {}};
+  if (!movesAny(source->motion, skeleton_)) {
+    return Problem{"moves bones that the actor's skin lacks, such as '" + source->motion.tracks.begin()->first + "'",
+                   "those of the skin are '" + skeleton_.bones.front().name + "' and those below it"};
+  }
+  // the file may have another unit than the skin
+  source->motion.scale(source->unit / skeleton_.unit);
+  return std::move(source->motion);
+}
+
+std::variant<Motion, Problem> Figure::bvhMotionOf(const description::ActorFile& source) const {
+  auto read = base::readRegularFile(source.file, kLargestMeshFile);
+  if (auto* unreadable = std::get_if<base::Unreadable>(&read)) return Problem{std::move(unreadable->reason), {}};
+  try {
+    Motion motion = bvhMotion(std::get<std::string>(read), source.scale, skeleton_);
+    if (motion.tracks.empty()) return Problem{"contains no animation", {}};
+    return motion;
+  } catch (const std::exception& problem) {
+    return Problem{"can't move this skin", problem.what()};
+  }
+}
+
 void Figure::addAnimation(const description::Animation& animation, const Warn& warn) {
   const std::filesystem::path& file = animation.source.file;
   if (file.empty()) return;
-  auto read = readSkeleton(file);
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  auto read = ending == ".bvh" ? bvhMotionOf(animation.source) : colladaMotion(file);
   if (const auto* problem = std::get_if<Problem>(&read)) return warn(file, *problem);
-  std::optional<Skeleton>& source = std::get<0>(read);
-  if (!source || source->motion.tracks.empty()) return warn(file, {"contains no animation", {}});
-  if (!movesAny(source->motion, skeleton_)) {
-    return warn(file,
-                {"moves bones that the actor's skin lacks, such as '" + source->motion.tracks.begin()->first + "'",
-                 "those of the skin are '" + skeleton_.bones.front().name + "' and those below it"});
-  }
-  Animation added{std::move(source->motion), animation.followsPath};
-  // the file may have another unit than the skin
-  added.motion.scale(source->unit / skeleton_.unit);
+  Animation added{std::move(std::get<Motion>(read)), animation.followsPath};
   const auto root = added.motion.tracks.find(skeleton_.bones.front().name);
   const bool advances = root != added.motion.tracks.end() && root->second.lastX() > root->second.firstX();
   if (added.followsX && !advances) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "assets/figures/gait.hh"
@@ -52,6 +53,9 @@ class Figure {
 
   explicit Figure(Skeleton skeleton);
   void addAnimation(const description::Animation& animation, const Warn& warn);
+  /// @return The motion in a file, in the skin's units.
+  std::variant<Motion, Problem> colladaMotion(const std::filesystem::path& file) const;
+  std::variant<Motion, Problem> bvhMotionOf(const description::ActorFile& source) const;
   Cell cellOf(const Vector3& position) const;
   /// @return The time in the animation.
   double timeIn(const Animation& animation, const Gait& gait) const;

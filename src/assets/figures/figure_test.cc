@@ -90,6 +90,28 @@ TEST_F(FigureTest, StepsAsFarAsItGoesWhereItInterpolatesX) {
   }
 }
 
+TEST_F(FigureTest, MovesByABvhFile) {
+  description::Actor actor;
+  actor.skin.file = folder_.write("skin.dae", kStill.text());
+  // in centimetres
+  const auto walk = folder_.write("walk.bvh",
+                                  "HIERARCHY\nROOT Hip\n{\nOFFSET 0 0 90\nCHANNELS 6 Xposition Yposition Zposition "
+                                  "Zrotation Xrotation Yrotation\nJOINT Elbow\n{\nOFFSET 0 0 50\nCHANNELS 3 Zrotation "
+                                  "Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 0 60\n}\n}\n}\nMOTION\nFrames: 2\n"
+                                  "Frame Time: 1\n0 0 90 0 0 0 0 0 0\n200 0 90 0 0 0 0 90 0\n");
+  actor.animations.push_back({"walk", {"walk", walk, 0.01}, true});
+  const std::unique_ptr<Figure> figure = load(actor);
+  EXPECT_EQ(said_, std::vector<std::string>());
+  ASSERT_NE(figure, nullptr);
+  for (const double time : {0.0, 0.25, 0.5, 1.0}) {
+    expectNear(placeOf(*figure, kCorner, {.animation = "walk", .time = time}), handAt(time * std::numbers::pi / 2));
+  }
+  // along x, too
+  expectNear(placeOf(*figure, kCorner, {.animation = "walk", .time = 77, .distance = 5}), handAt(std::numbers::pi / 4));
+  expectNear(placeOf(*figure, kCorner, {.animation = "walk", .time = 1, .isOnPath = false}),
+             handAt(std::numbers::pi / 2, {2, 0, 0.9}));
+}
+
 TEST_F(FigureTest, HasTheMotionOfItsOwnFileWithoutAnother) {
   description::Actor actor;
   actor.skin.file = folder_.write("skin.dae", test::FigureFile().text());
@@ -126,12 +148,15 @@ TEST_F(FigureTest, SaysWhatIsWrong) {
   text.replace(text.find(">hips arm<"), 10, ">pelvis wing<");
   actor.animations.push_back({"fly", {"fly", folder_.write("fly.dae", text)}});
   actor.animations.push_back({"run", {"run", folder_.write("run.bvh", "HIERARCHY")}});
+  actor.animations.push_back({"run", {"run", folder_.write("run.fbx", "")}});
   EXPECT_EQ(load(actor), nullptr);
   EXPECT_EQ(said_,
             (std::vector<std::string>{
                 "fly.dae moves bones that the actor's skin lacks, such as 'pelvis' | those of the skin are 'hips' "
                 "and those below it",
-                "run.bvh is no Collada file (.dae) | limbs are read from these only"}));
+                "run.bvh can't move this skin | line 1: here should be 'ROOT', not ''",
+                "run.fbx is no Collada file (.dae) | skins are read from these only, animations also from BVH files "
+                "(.bvh)"}));
   EXPECT_NE(figureOf(kStill, {}, true), nullptr);
 }
 

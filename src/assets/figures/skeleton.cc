@@ -14,17 +14,6 @@ namespace pongsim::assets {
 
 namespace {
 
-/// @return The rotation in a transform that may scale.
-Quaternion rotationIn(const Eigen::Affine3d& transform) {
-  Matrix3 axes = transform.linear();
-  for (int i = 0; i < 3; ++i) {
-    const double length = axes.col(i).norm();
-    if (!(length > 0)) return Quaternion::Identity();
-    axes.col(i) /= length;
-  }
-  return Quaternion(axes).normalized();
-}
-
 /// @return The rotation a part of the shorter way from one to another, at an even pace.
 Quaternion turnedPart(const Quaternion& from, double part, const Quaternion& to) {
   const Quaternion way = from.conjugate() * to;
@@ -36,6 +25,16 @@ Quaternion turnedPart(const Quaternion& from, double part, const Quaternion& to)
 }
 
 }  // namespace
+
+Quaternion Track::rotationIn(const Eigen::Affine3d& transform) {
+  Matrix3 axes = transform.linear();
+  for (int i = 0; i < 3; ++i) {
+    const double length = axes.col(i).norm();
+    if (!(length > 0)) return Quaternion::Identity();
+    axes.col(i) /= length;
+  }
+  return Quaternion(axes).normalized();
+}
 
 void Track::add(double time, const Eigen::Affine3d& X_ParentBone) {
   frames_[time] = {X_ParentBone.translation(), rotationIn(X_ParentBone)};
@@ -78,7 +77,9 @@ double Motion::length() const {
 std::variant<std::optional<Skeleton>, Problem> readSkeleton(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  if (ending != ".dae") return Problem{"is no Collada file (.dae)", "limbs are read from these only"};
+  if (ending != ".dae")
+    return Problem{"is no Collada file (.dae)",
+                   "skins are read from these only, animations also from BVH files (.bvh)"};
   auto read = base::readRegularFile(file, kLargestMeshFile);
   if (auto* unreadable = std::get_if<base::Unreadable>(&read)) return Problem{std::move(unreadable->reason), {}};
   try {

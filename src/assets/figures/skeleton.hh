@@ -20,6 +20,9 @@ class Track {
   /// Replaces a frame at the same time. Times may come in any order.
   void add(double time, const Eigen::Affine3d& X_ParentBone);
 
+  /// @return The rotation in a transform that may scale.
+  static Quaternion rotationIn(const Eigen::Affine3d& transform);
+
   /// @return Time of the last frame [s].
   double length() const { return frames_.empty() ? 0 : frames_.rbegin()->first; }
   /// @return Its place, between frames on a straight line and by an even turn. Before the first frame that one, as in
