@@ -4,11 +4,21 @@ import { poseMessage, type Sixfold } from '../connection/poses.ts';
 import { modelSdf } from '../connection/sdf_writer.ts';
 import type { Message } from '../connection/types.ts';
 import type { World } from '../connection/world.ts';
+import { Asked } from './asked.ts';
 import type { Context } from './context.ts';
 import { isSure } from './dialog.ts';
 
 /// How the entities were inserted that this page has inserted, by id: the fields of an ignition.msgs.EntityFactory.
 const sources = new WeakMap<World, Map<number, Message>>();
+
+/// What was asked for, of each world.
+const wishes = new WeakMap<World, Asked>();
+
+function askedOf(world: World): Asked {
+  let asked = wishes.get(world);
+  if (!asked) wishes.set(world, (asked = new Asked()));
+  return asked;
+}
 
 function sourcesOf(world: World): Map<number, Message> {
   let known = sources.get(world);
@@ -29,64 +39,97 @@ function poseOf(world: World, entity: Entity): Message {
 
 function lightOf({ world, connection }: Context, entity: Entity): Message {
   const light = entity.components.message('Light', 'ignition.msgs.Light', connection.types) ?? {};
-  return { ...light, id: entity.id, name: entity.name, pose: poseOf(world, entity) };
+  const pose = entity.components.has('Pose') ? poseOf(world, entity) : (light.pose as Message | undefined);
+  return { ...light, id: entity.id, name: entity.name, ...(pose && { pose }) };
+}
+
+/// The light as it was asked for, or as the world tells it.
+export function lightNow(context: Context, light: Entity): Message {
+  const { world } = context;
+  return askedOf(world).now(keyOf('light', light), lightOf(context, world.entities.get(light.id) ?? light));
+}
+
+const keyOf = (what: string, { id }: Entity): string => `${what} ${id}`;
+
+// after which a pose that was asked for is taken to be told [ms]
+const kToldMs = 300;
+
+/// Resolves when the world has told the pose of an entity, at the latest after a while: it tells only what moves.
+function poseTold(world: World, id: number): Promise<void> {
+  return new Promise((resolve) => {
+    const finish = (): void => {
+      end();
+      clearTimeout(timer);
+      resolve();
+    };
+    const timer = setTimeout(finish, kToldMs);
+    const end = world.framed.on(({ ids }) => ids.includes(id) && finish());
+  });
 }
 
 /// Moves a model or light of the world.
-export function move(context: Context, entity: Entity, pose: Message): Promise<void> {
+/// @param how The new pose, from the present one: ignition.msgs.Pose.
+export function move(context: Context, entity: Entity, how: (now: Message) => Message): Promise<void> {
   const { world, history } = context;
-  const before = poseOf(world, entity);
-  const to = async (there: Message): Promise<void> => {
-    const id = history.current(entity.id);
-    if (entity.kind !== 'light') return void (await world.ask('set_pose', { id, ...there }));
-    await world.ask('light_config', { ...lightOf(context, world.entities.get(id) ?? entity), pose: there });
-    await world.read();
-  };
-  return history.perform({ what: `Move ${entity.name}`, redo: () => to(pose), undo: () => to(before) });
+  if (entity.kind === 'light') return changeLight(context, entity, (light) => ({ ...light, pose: how(light.pose as Message) }), 'Move');
+  const to = async (there: Message): Promise<void> => void (await world.ask('set_pose', { id: history.current(entity.id), ...there }));
+  return askedOf(world).change(keyOf('pose', entity), poseOf(world, entity), how,
+    (before, after) => history.perform({ what: `Move ${entity.name}`, redo: () => to(after), undo: () => to(before) }),
+    () => poseTold(world, history.current(entity.id)));
 }
 
 /// Changes something by a service of the world that takes what it was, too.
-/// @param id Of the entity; null: the world itself.
-function change({ world, history }: Context, what: string, service: string, id: number | null, before: Message, after: Message): Promise<void> {
-  const to = async (fields: Message): Promise<void> => {
-    await world.ask(service, id === null ? fields : { ...fields, id: history.current(id) });
+/// @param entity Null: the world itself.
+/// @param told What the world tells of it.
+/// @param fields Of the request, for a value.
+function change<T>(
+  { world, history }: Context, what: string, service: string, entity: Entity | null, told: T, how: (now: T) => T, fields: (value: T) => Message,
+): Promise<void> {
+  const to = async (value: T): Promise<void> => {
+    await world.ask(service, entity ? { ...fields(value), id: history.current(entity.id) } : fields(value));
     await world.read();
   };
-  return history.perform({ what, redo: () => to(after), undo: () => to(before) });
+  return askedOf(world).change(`${service} ${entity?.id}`, told, how,
+    (before, after) => history.perform({ what, redo: () => to(after), undo: () => to(before) }));
 }
 
 /// Changes a light.
-/// @param before, after An ignition.msgs.Light.
-export function changeLight(context: Context, before: Message, after: Message): Promise<void> {
-  return change(context, `Change ${after.name}`, 'light_config', after.id as number, before, after);
+/// @param how The new light, from the present one: ignition.msgs.Light.
+export function changeLight(context: Context, light: Entity, how: (now: Message) => Message, verb = 'Change'): Promise<void> {
+  const { world, history } = context;
+  const to = async (fields: Message): Promise<void> => {
+    await world.ask('light_config', { ...fields, id: history.current(light.id) });
+    await world.read();
+  };
+  return askedOf(world).change(keyOf('light', light), lightNow(context, light), how,
+    (before, after) => history.perform({ what: `${verb} ${light.name}`, redo: () => to(after), undo: () => to(before) }));
 }
 
 /// Changes the gravity of the world [m/s²].
-export function setGravity(context: Context, before: readonly number[], after: readonly number[]): Promise<void> {
-  const fields = ([x, y, z]: readonly number[]): Message => ({ gravity: { x, y, z } });
-  return change(context, 'Change gravity', 'set_physics', null, fields(before), fields(after));
+export function setGravity(context: Context, told: readonly number[], how: (now: readonly number[]) => readonly number[]): Promise<void> {
+  return change(context, 'Change gravity', 'set_physics', null, told, how, ([x, y, z]) => ({ gravity: { x, y, z } }));
 }
 
 /// Changes the mass of a link [kg].
-export function setMass(context: Context, link: Entity, before: number, after: number): Promise<void> {
-  const fields = (mass: number): Message => ({ inertial: { mass } });
-  return change(context, `Change the mass of ${link.name}`, 'set_mass', link.id, fields(before), fields(after));
+export function setMass(context: Context, link: Entity, told: number, mass: number): Promise<void> {
+  return change(context, `Change the mass of ${link.name}`, 'set_mass', link, told, () => mass, (value) => ({ inertial: { mass: value } }));
 }
 
 /// Red, green, blue, 0 to 1.
 export type Rgb = [number, number, number];
 
 /// Changes the colour of a visual.
-export function setColor(context: Context, visual: Entity, before: Rgb, after: Rgb): Promise<void> {
-  const fields = ([r, g, b]: Rgb): Message => ({ material: { diffuse: { r, g, b, a: 1 } } });
-  return change(context, `Colour ${visual.name}`, 'visual_config', visual.id, fields(before), fields(after));
+export function setColor(context: Context, visual: Entity, told: Rgb, color: Rgb): Promise<void> {
+  return change(context, `Colour ${visual.name}`, 'visual_config', visual, told, () => color, ([r, g, b]) => ({ material: { diffuse: { r, g, b, a: 1 } } }));
 }
 
 /// Moves the axes of a joint [rad or m].
-export function setJointPositions(context: Context, joint: Entity, before: readonly number[], after: readonly number[]): Promise<void> {
+export function setJointPositions(
+  context: Context, joint: Entity, told: readonly number[], how: (now: readonly number[]) => readonly number[],
+): Promise<void> {
   const fields = ([first, second]: readonly number[]): Message =>
     ({ axis1: { position: first }, ...(second !== undefined && { axis2: { position: second } }) });
-  return change(context, `Move ${joint.name}`, 'set_joint_position', joint.id, fields(before), fields(after));
+  return change(context, `Move ${joint.name}`, 'set_joint_position', joint, told, how, fields);
 }
 
 /// Inserts a model or light.

@@ -91,7 +91,7 @@ export class Shell {
       onMove: (entity, pose, during) => {
         const moved = world.entities.get(entity);
         if (during || !moved) return undefined;
-        const request = move(this.context, moved, poseFields(pose));
+        const request = move(this.context, moved, () => poseFields(pose));
         void this.context.attempt('Move', request);
         return request;
       },

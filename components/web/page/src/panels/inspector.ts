@@ -4,7 +4,7 @@ import { h, setChildren, shortNumber } from '../app/dom.ts';
 import { move } from '../app/edits.ts';
 import { Components } from '../connection/components.ts';
 import { kJointNames, sensorSettings, sensorType, type Entity } from '../connection/entities.ts';
-import { poseMessage, rollPitchYawOf } from '../connection/poses.ts';
+import { poseMessage, rollPitchYawOf, sixfoldOf } from '../connection/poses.ts';
 import type { Message, MessageTypes } from '../connection/types.ts';
 import { PoseTable } from './pose_table.ts';
 import { jointPositions, propertyFields, type PropertyFields } from './property_fields.ts';
@@ -85,9 +85,9 @@ function sensorRows(sensor: Entity, types: MessageTypes): Rows {
 export function openInspector(context: Context): Panel {
   const { world, selection, connection } = context;
   const ends = new Ends();
-  const pose = new PoseTable((entered) => {
+  const pose = new PoseTable((enter) => {
     const entity = world.entities.get(selection.id);
-    if (entity) void context.attempt('Move', move(context, entity, poseMessage(entered)));
+    if (entity) void context.attempt('Move', move(context, entity, (now) => poseMessage(enter(sixfoldOf(now)))));
   });
   const poseRow = [h('dt', {}, 'Pose'), h('dd', {}, pose.element)];
   const table = h('dl', {});

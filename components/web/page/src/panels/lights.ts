@@ -1,7 +1,8 @@
 /// The world's lights: switches, intensities, and buttons that add lights.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField, setChildren } from '../app/dom.ts';
-import { changeLight, fromText, insert } from '../app/edits.ts';
+import { changeLight, fromText, insert, lightNow } from '../app/edits.ts';
+import type { Entity } from '../connection/entities.ts';
 import type { Message } from '../connection/types.ts';
 import { lightSdf, type LightType } from './shapes.ts';
 
@@ -21,60 +22,45 @@ export function switched(light: Message, on: boolean): Message {
 
 /// The row of a light, kept while the light changes, because a new element would lose focus or a click in progress.
 class Row {
-  private light: Message = {};
-  private changes = 0;
   private readonly box = h('input', { type: 'checkbox' });
   private readonly name = h('button', { type: 'button', class: 'link' });
   private readonly intensity = numberField(1, { min: 0, step: 0.1, class: 'short' });
   readonly element = h('div', { class: 'row' }, this.box, this.name, this.intensity);
 
-  /// @param change Requests the change of the light. Until its promise settles, the row shows the requested values.
-  constructor(private readonly change: (before: Message, after: Message) => Promise<void>, choose: () => void) {
-    this.box.addEventListener('change', () => void this.ask(switched(this.light, this.box.checked)));
-    this.intensity.addEventListener('change', () => void this.ask({ ...this.light, intensity: this.intensity.valueAsNumber || 0 }));
+  /// @param change Requests the change of the light.
+  constructor(change: (how: (light: Message) => Message) => void, choose: () => void) {
+    this.box.addEventListener('change', () => change((light) => switched(light, this.box.checked)));
+    this.intensity.addEventListener('change', () => change((light) => ({ ...light, intensity: this.intensity.valueAsNumber || 0 })));
     this.name.addEventListener('click', choose);
   }
 
-  get isChanging(): boolean {
-    return this.changes > 0;
-  }
-
   show(light: Message): void {
-    this.light = light;
     this.box.checked = isOn(light);
     this.box.setAttribute('aria-label', `${light.name} is on`);
     this.name.textContent = light.name as string;
     this.intensity.setAttribute('aria-label', `Intensity of ${light.name}`);
     if (document.activeElement !== this.intensity) this.intensity.value = String(light.intensity ?? 1);
   }
-
-  private async ask(light: Message): Promise<void> {
-    const before = this.light;
-    this.light = light;
-    ++this.changes;
-    await this.change(before, light);
-    --this.changes;
-  }
 }
 
 export function openLights(context: Context): Panel {
-  const { world, connection, selection } = context;
+  const { world, selection } = context;
   const ends = new Ends();
   const rows = h('div', {});
   const none = h('p', { class: 'hint' }, 'There are no lights');
   let byId = new Map<number, Row>();
   const show = (): void => {
     const before = byId;
-    byId = new Map(world.entities.all('light').map(({ id, name, components }) => {
-      const row = before.get(id) ?? new Row(change, () => selection.set(id));
-      if (!row.isChanging) row.show({ ...components.message('Light', 'ignition.msgs.Light', connection.types), id, name });
-      return [id, row];
+    byId = new Map(world.entities.all('light').map((light) => {
+      const row = before.get(light.id) ?? new Row((how) => void change(light, how), () => selection.set(light.id));
+      row.show(lightNow(context, light));
+      return [light.id, row];
     }));
     setChildren(rows, byId.size > 0 ? [...byId.values()].map(({ element }) => element) : [none]);
   };
-  const change = async (before: Message, after: Message): Promise<void> => {
-    if (!(await context.attempt('Light', changeLight(context, before, after)))) await world.read();
-    // after `isChanging` has become false, also if the request was refused, to show the actual values
+  const change = async (light: Entity, how: (light: Message) => Message): Promise<void> => {
+    if (!(await context.attempt('Light', changeLight(context, light, how)))) await world.read();
+    // also if the request was refused, to show the actual values
     setTimeout(show);
   };
   const add = (type: LightType): HTMLElement => h('button', {

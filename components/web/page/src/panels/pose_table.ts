@@ -19,8 +19,9 @@ export class PoseTable {
   readonly element = h('div', { class: 'pose', id: 'inspector-pose' },
     ...kNames.map((name, i) => h('span', {}, h('span', { class: 'axis' }, name), this.cells[i])), this.frame);
 
-  /// @param change Called with the pose that has been entered.
-  constructor(private readonly change: (pose: Sixfold) => void) {
+  /// @param change Called when a number has been entered, with what makes the new pose of the present one: the other
+  /// numbers keep all their digits, and may have been entered just before.
+  constructor(private readonly change: (enter: (now: Sixfold) => Sixfold) => void) {
     this.cells.forEach((cell, i) => onEntered(cell, () => this.enter(i)));
   }
 
@@ -44,7 +45,6 @@ export class PoseTable {
 
   private enter(i: number): void {
     const entered = this.cells[i]!.valueAsNumber;
-    // the others have all their digits
-    if (Number.isFinite(entered)) this.change(this.pose.map((number, k) => (k === i ? entered : number)) as Sixfold);
+    if (Number.isFinite(entered)) this.change((now) => now.map((number, k) => (k === i ? entered : number)) as Sixfold);
   }
 }

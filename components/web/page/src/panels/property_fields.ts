@@ -38,16 +38,17 @@ class Numbers implements PropertyField {
   readonly element: HTMLElement;
 
   /// @param names Accessible names, one for each number.
+  /// @param change Called when a number has been entered, with what makes the new numbers of the present ones.
   constructor(
     readonly name: string, names: readonly string[], private readonly read: (entity: Entity) => readonly number[],
-    change: (values: number[]) => void, more: Record<string, string | number> = {},
+    change: (enter: (now: readonly number[]) => number[]) => void, more: Record<string, string | number> = {},
   ) {
     this.inputs = names.map((each, i) => numberField(0, {
       'aria-label': each, class: 'short', ...more, onblur: () => this.write(i),
     }));
     this.inputs.forEach((input, i) => onEntered(input, () => {
       const entered = input.valueAsNumber;
-      if (Number.isFinite(entered)) change(this.values.map((value, k) => (k === i ? entered : value)));
+      if (Number.isFinite(entered)) change((now) => now.map((value, k) => (k === i ? entered : value)));
     }));
     this.element = h('span', { class: 'property' }, ...this.inputs);
   }
@@ -127,12 +128,12 @@ export function propertyFields(context: Context, entity: Entity): PropertyFields
   const ask = (what: string, change: Promise<void>): void => void context.attempt(what, change).then((isDone) => (isDone ? undefined : world.read()));
   if (entity.kind === 'world') {
     const read = ({ components }: Entity): number[] => components.numbers('Gravity') ?? [];
-    const change = (gravity: number[]): void => ask('Gravity', setGravity(context, read(now()), gravity));
+    const change = (enter: Enter): void => ask('Gravity', setGravity(context, read(now()), enter));
     return { all: [new Numbers('Gravity [m/s²]', ['Gravity x', 'Gravity y', 'Gravity z'], read, change)] };
   }
   if (entity.kind === 'link' && !isFixed(entity)) {
     const read = ({ components }: Entity): number[] => [components.message('Inertial', 'ignition.msgs.Inertial', types)?.mass ?? 0];
-    const change = ([mass]: number[]): void => ask('Mass', setMass(context, entity, read(now())[0]!, mass!));
+    const change = (enter: Enter): void => ask('Mass', setMass(context, entity, read(now())[0]!, enter([0])[0]!));
     return { all: [new Numbers('Mass [kg]', ['Mass'], read, change, { min: 0 })] };
   }
   if (entity.kind === 'visual') {
@@ -142,6 +143,7 @@ export function propertyFields(context: Context, entity: Entity): PropertyFields
   return entity.kind === 'light' ? { all: lightFields(context, entity, ask) } : { all: [] };
 }
 
+type Enter = (now: readonly number[]) => number[];
 type Ask = (what: string, change: Promise<void>) => void;
 
 function jointFields(context: Context, joint: Entity, ask: Ask): PropertyFields {
@@ -149,7 +151,7 @@ function jointFields(context: Context, joint: Entity, ask: Ask): PropertyFields 
   if (axes === 0) return { all: [] };
   let positions: readonly number[] = [];
   const names = axes > 1 ? ['Position of axis 1', 'Position of axis 2'] : ['Position'];
-  const field = new Numbers('Position', names, () => positions, (wanted) => ask('Joint', setJointPositions(context, joint, positions, wanted)));
+  const field = new Numbers('Position', names, () => positions, (enter) => ask('Joint', setJointPositions(context, joint, positions, enter)));
   return {
     all: [field],
     showPositions: (seen) => {
@@ -160,24 +162,11 @@ function jointFields(context: Context, joint: Entity, ask: Ask): PropertyFields 
 }
 
 function lightFields(context: Context, entity: Entity, ask: Ask): PropertyField[] {
-  const { world, connection } = context;
-  const read = ({ components }: Entity): Message => components.message('Light', 'ignition.msgs.Light', connection.types) ?? {};
-  // a request says all of a light: the next change builds on what was asked for until the world tells of another state
-  let told = '';
-  let asked: Message | undefined;
-  const change = (how: (light: Message) => Message): void => {
-    const light = { ...read(world.entities.get(entity.id) ?? entity), id: entity.id, name: entity.name };
-    const now = JSON.stringify(light, (_, value: unknown) => (typeof value === 'bigint' ? String(value) : value));
-    const before = told === now && asked ? asked : light;
-    const after = how(before);
-    told = now;
-    asked = after;
-    const done = changeLight(context, before, after);
-    done.catch(() => { asked = undefined; });
-    ask('Light', done);
-  };
+  const { types } = context.connection;
+  const read = ({ components }: Entity): Message => components.message('Light', 'ignition.msgs.Light', types) ?? {};
+  const change = (how: (light: Message) => Message): void => ask('Light', changeLight(context, entity, how));
   const number = (name: string, key: string): Numbers =>
-    new Numbers(name, [name], (light) => [read(light)[key] as number], ([value]) => change((light) => ({ ...light, [key]: value })), { min: 0 });
+    new Numbers(name, [name], (light) => [read(light)[key] as number], (enter) => change((light) => ({ ...light, [key]: enter([0])[0] })), { min: 0 });
   return [
     new Switch('On', (light) => isOn(read(light)), (on) => change((light) => switched(light, on))),
     new Color((light) => rgb(read(light).diffuse as Message),

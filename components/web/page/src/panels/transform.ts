@@ -42,7 +42,7 @@ export function openTransform(context: Context): Panel {
     const pose = fields.map((field) => field.valueAsNumber || 0) as Sixfold;
     isEdited = false;
     const entity = world.entities.get(id);
-    if (entity) void context.attempt('Move', move(context, entity, poseMessage(pose)));
+    if (entity) void context.attempt('Move', move(context, entity, () => poseMessage(pose)));
   } }, h('div', { class: 'six' }, ...fields.map((field, i) => h('label', {}, kAxes[i]!, field))), apply);
   ends.add(selection.changed.on(() => {
     isEdited = false;

@@ -19,6 +19,16 @@ async function enter(name, value) {
   return field;
 }
 
+/// Enters values of several fields before the world can answer the first.
+const enterAtOnce = (values) => page.tab.evaluate((all) => {
+  for (const [name, value] of Object.entries(all)) {
+    const field = document.querySelector(`.inspector [aria-label="${name}"]`);
+    field.value = value;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+    field.dispatchEvent(new Event('change', { bubbles: true }));
+  }
+}, values);
+
 /// Undoes the last change and makes it again: `look` returns what it is now.
 async function thereAndBack(look, first, then, what) {
   await until(look, then, `${what}: changed`);
@@ -37,12 +47,36 @@ test('the gravity of the world', async () => {
   await thereAndBack(() => field.inputValue(), (text) => text === '-9.8', (text) => text === '-1.62', 'gravity');
 });
 
+test('numbers of gravity that are entered at once', async () => {
+  await enterAtOnce({ 'Gravity x': '1', 'Gravity y': '2' });
+  const values = () => Promise.all(['Gravity x', 'Gravity y'].map((name) => inspector().getByLabel(name, { exact: true }).inputValue()));
+  await until(values, ([x, y]) => x === '1' && y === '2', 'both');
+  await page.tab.keyboard.press('Control+z');
+  await until(values, ([x, y]) => x === '1' && y === '0', 'the second undone');
+  await page.tab.keyboard.press('Control+z');
+  await until(values, ([x, y]) => x === '0' && y === '0', 'the first undone');
+});
+
 test('the pose of a model', async () => {
   await choose(page.tab, 'block');
   await until(() => shownPose(page.tab), ([, , z]) => Math.abs(z - 0.6) < 1e-6, 'a pose');
   await enter('yaw', '0.5');
   await thereAndBack(() => shownPose(page.tab), (pose) => Math.abs(pose[5]) < 1e-6, (pose) => Math.abs(pose[5] - 0.5) < 1e-6, 'yaw');
   assert.ok(Math.abs((await shownPose(page.tab))[2] - 0.6) < 1e-6, 'the others stay');
+});
+
+test('numbers that are entered at once are all changed, and undone one by one', async () => {
+  const { tab } = page;
+  await choose(tab, 'block');
+  await until(() => shownPose(tab), ([x, y]) => Math.abs(x) + Math.abs(y) < 9, 'a pose');
+  const [x, y] = await shownPose(tab);
+  await enterAtOnce({ x: String(x + 1), y: String(y + 2) });
+  const isAt = (dx, dy) => (pose) => Math.abs(pose[0] - x - dx) < 1e-5 && Math.abs(pose[1] - y - dy) < 1e-5;
+  await until(() => shownPose(tab), isAt(1, 2), 'both');
+  await tab.keyboard.press('Control+z');
+  await until(() => shownPose(tab), isAt(1, 0), 'the second undone');
+  await tab.keyboard.press('Control+z');
+  await until(() => shownPose(tab), isAt(0, 0), 'the first undone');
 });
 
 test('the pose of a link is only to be read', async () => {
