@@ -70,7 +70,7 @@ TEST(BvhMotion, IsInTheUnitsOfTheSkin) {
   expectPose(motion.tracks.at("arm").at(0), {0, 0, 1}, Quaternion::Identity());
 }
 
-std::string faultOf(const std::string& content, const Skeleton& skin = skinWithArm()) {
+std::string motionFaultOf(const std::string& content, const Skeleton& skin = skinWithArm()) {
   try {
     bvhMotion(content, 1, skin);
   } catch (const std::runtime_error& fault) {
@@ -84,10 +84,10 @@ TEST(BvhMotion, SaysWhatIsWrong) {
   const auto with = [&good](const std::string& what, const std::string& other) {
     std::string text = good;
     text.replace(text.find(what), what.size(), other);
-    return faultOf(text);
+    return motionFaultOf(text);
   };
-  EXPECT_EQ(faultOf(good), "none");
-  EXPECT_EQ(faultOf(""), "line 1: here should be 'HIERARCHY', not ''");
+  EXPECT_EQ(motionFaultOf(good), "none");
+  EXPECT_EQ(motionFaultOf(""), "line 1: here should be 'HIERARCHY', not ''");
   EXPECT_EQ(with("JOINT", "JOIN"), "line 6: 'JOIN' does not belong into a bone");
   EXPECT_EQ(with("0.9", "nan"), "line 4: 'nan' is no finite number");
   EXPECT_EQ(with("Xposition", "Wposition"), "line 5: 'Wposition' is no channel");
@@ -101,10 +101,11 @@ TEST(BvhMotion, SaysWhereItIsOfOtherBones) {
   Skeleton skin = skinWithArm();
   skin.bones.push_back({"hand", 1, Eigen::Affine3d::Identity()});
   const std::string good = fileWith("0 0 0.5", "0 0 0 0 0 0 0 0 0");
-  EXPECT_EQ(faultOf(good, skin), "it has 2 bones, the actor's skin 3");
+  EXPECT_EQ(motionFaultOf(good, skin), "it has 2 bones, the actor's skin 3");
   skin = skinWithArm();
   skin.bones[1].parent = 1;
-  EXPECT_EQ(faultOf(good, skin), "its bones hang together in another way than those of the actor's skin, at 'hips'");
+  EXPECT_EQ(motionFaultOf(good, skin),
+            "its bones hang together in another way than those of the actor's skin, at 'hips'");
 }
 
 }  // namespace
