@@ -82,10 +82,10 @@ TEST(DiagnosticJson, HasWhatIsKnown) {
 
 TEST(DiagnosticJson, IsSoundWhateverTheTextIs) {
   const auto message = [](std::string text) {
-    const std::string json = jsonOf({{Severity::kError, {}, std::move(text), {}}});
+    const std::string report = jsonOf({{Severity::kError, {}, std::move(text), {}}});
     const std::string begin = "[{\"severity\":\"error\",\"message\":\"", end = "\"}]\n";
-    EXPECT_TRUE(json.starts_with(begin) && json.ends_with(end)) << json;
-    return json.substr(begin.size(), json.size() - begin.size() - end.size());
+    EXPECT_TRUE(report.starts_with(begin) && report.ends_with(end)) << report;
+    return report.substr(begin.size(), report.size() - begin.size() - end.size());
   };
   EXPECT_EQ(message("a\"b\\c\n\x01"), "a\\\"b\\\\c\\n\\u0001");
   EXPECT_EQ(message("ä€😀"), "ä€😀");
