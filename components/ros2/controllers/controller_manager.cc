@@ -12,8 +12,6 @@ namespace pongsim::ros2 {
 
 namespace {
 
-using Type = rcl_interfaces::ParameterType;
-
 /// Parameters that every node or controller may have.
 constexpr const char* kCommonParameters[] = {"type", "use_sim_time", "is_async", "params_file", "fallback_controllers"};
 
@@ -41,7 +39,7 @@ ControllerManager::ControllerManager(RosNode& beside, HardwareInterfaces& hardwa
   parameters_.allowUndeclared();
   // those of its node, which have nested maps of its controllers
   for (const auto& [name, value] : options_.files.valuesOf(node_.fullName())) {
-    if (value.type != Type::kParameterNotSet) parameters_.set({{name, value}});
+    if (value.type != rcl_interfaces::ParameterType::kParameterNotSet) parameters_.set({{name, value}});
   }
   parameters_.set(
       {{"update_rate", parameterOf(static_cast<std::int64_t>(options_.rate))}, {"use_sim_time", parameterOf(true)}});
@@ -60,14 +58,14 @@ ControllerManager::Loaded* ControllerManager::find(const std::string& name) {
 
 std::optional<std::string> ControllerManager::parameterText(const std::string& name) const {
   const auto values = parameters_.get({name});
-  if (values.empty() || values[0].type != Type::kParameterString) return std::nullopt;
+  if (values.empty() || values[0].type != rcl_interfaces::ParameterType::kParameterString) return std::nullopt;
   return values[0].string_value;
 }
 
 std::vector<std::string> ControllerManager::parameterTexts(const std::string& name) const {
   const auto values = parameters_.get({name});
   if (values.empty()) return {};
-  if (values[0].type == Type::kParameterString) return {values[0].string_value};
+  if (values[0].type == rcl_interfaces::ParameterType::kParameterString) return {values[0].string_value};
   return values[0].string_array_value;
 }
 

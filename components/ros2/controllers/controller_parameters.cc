@@ -6,8 +6,6 @@
 
 namespace pongsim::ros2 {
 
-using Type = rcl_interfaces::ParameterType;
-
 const rcl_interfaces::ParameterValue* ControllerParameters::find(const std::string& name) {
   known_.insert(name);
   const auto found = given_.find(name);
@@ -21,9 +19,9 @@ void ControllerParameters::refuseType(const std::string& name, const char* type)
 double ControllerParameters::number(const std::string& name, double fallback) {
   double value = fallback;
   if (const auto* given = find(name)) {
-    if (given->type == Type::kParameterDouble) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterDouble) {
       value = given->double_value;
-    } else if (given->type == Type::kParameterInteger) {
+    } else if (given->type == rcl_interfaces::ParameterType::kParameterInteger) {
       value = static_cast<double>(given->integer_value);
     } else {
       refuseType(name, "a number");
@@ -42,7 +40,7 @@ double ControllerParameters::numberAboveZero(const std::string& name, double fal
 std::int64_t ControllerParameters::whole(const std::string& name, std::int64_t fallback) {
   std::int64_t value = fallback;
   if (const auto* given = find(name)) {
-    if (given->type == Type::kParameterInteger) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterInteger) {
       value = given->integer_value;
     } else {
       refuseType(name, "a whole number");
@@ -55,7 +53,7 @@ std::int64_t ControllerParameters::whole(const std::string& name, std::int64_t f
 bool ControllerParameters::flag(const std::string& name, bool fallback) {
   bool value = fallback;
   if (const auto* given = find(name)) {
-    if (given->type == Type::kParameterBool) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterBool) {
       value = given->bool_value;
     } else {
       refuseType(name, "true or false");
@@ -68,7 +66,7 @@ bool ControllerParameters::flag(const std::string& name, bool fallback) {
 std::string ControllerParameters::text(const std::string& name, const std::string& fallback) {
   std::string value = fallback;
   if (const auto* given = find(name)) {
-    if (given->type == Type::kParameterString) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterString) {
       value = given->string_value;
     } else {
       refuseType(name, "a text");
@@ -81,16 +79,16 @@ std::string ControllerParameters::text(const std::string& name, const std::strin
 std::vector<double> ControllerParameters::numbers(const std::string& name, std::vector<double> fallback) {
   std::vector<double> value = std::move(fallback);
   if (const auto* given = find(name)) {
-    if (given->type == Type::kParameterDoubleArray) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterDoubleArray) {
       value = given->double_array_value;
-    } else if (given->type == Type::kParameterIntegerArray) {
+    } else if (given->type == rcl_interfaces::ParameterType::kParameterIntegerArray) {
       value.assign(given->integer_array_value.begin(), given->integer_array_value.end());
     } else {
       refuseType(name, "a list of numbers");
     }
   }
   auto& asked = asked_[name];
-  asked.type = Type::kParameterDoubleArray;
+  asked.type = rcl_interfaces::ParameterType::kParameterDoubleArray;
   asked.double_array_value = value;
   return value;
 }
@@ -109,16 +107,17 @@ std::vector<std::string> ControllerParameters::texts(const std::string& name, st
   std::vector<std::string> value = std::move(fallback);
   if (const auto* given = find(name)) {
     // an empty list has no type
-    if (given->type == Type::kParameterStringArray) {
+    if (given->type == rcl_interfaces::ParameterType::kParameterStringArray) {
       value = given->string_array_value;
-    } else if (given->type == Type::kParameterIntegerArray && given->integer_array_value.empty()) {
+    } else if (given->type == rcl_interfaces::ParameterType::kParameterIntegerArray &&
+               given->integer_array_value.empty()) {
       value.clear();
     } else {
       refuseType(name, "a list of texts");
     }
   }
   auto& asked = asked_[name];
-  asked.type = Type::kParameterStringArray;
+  asked.type = rcl_interfaces::ParameterType::kParameterStringArray;
   asked.string_array_value = value;
   return value;
 }

@@ -57,6 +57,4 @@ void TwistInput::warnOnce(const std::string& what) {
   log_->warning("controller '" + name_ + "': " + what);
 }
 
-void TwistInput::transfer(StateArchive& archive) { archive(command_); }
-
 }  // namespace pongsim::ros2

@@ -9,25 +9,26 @@
 
 namespace pongsim::ros2 {
 
+/// What a drive is commanded.
+struct TwistCommand {
+  Time stamp{0};
+  /// Forward and to the left [m/s].
+  double linear = 0;
+  double lateral = 0;
+  /// [rad/s]
+  double angular = 0;
+
+  void transfer(StateArchive& archive) {
+    archive(stamp);
+    archive(linear);
+    archive(lateral);
+    archive(angular);
+  }
+};
+
 /// The velocities that a drive is commanded, by a geometry_msgs/TwistStamped or Twist.
 class TwistInput {
  public:
-  struct Command {
-    Time stamp{0};
-    /// Forward and to the left [m/s].
-    double linear = 0;
-    double lateral = 0;
-    /// [rad/s]
-    double angular = 0;
-
-    void transfer(StateArchive& archive) {
-      archive(stamp);
-      archive(linear);
-      archive(lateral);
-      archive(angular);
-    }
-  };
-
   /// Subscribes.
   /// @param timeout Commands that are older when they arrive are ignored; zero: none.
   /// @param isStamped Whether the type is TwistStamped.
@@ -35,9 +36,9 @@ class TwistInput {
   /// Commands are taken from now on, or ignored.
   void enable(bool isEnabled);
   /// @return The last command; nothing before the first.
-  const std::optional<Command>& command() const { return command_; }
+  const std::optional<TwistCommand>& command() const { return command_; }
   void clear() { command_.reset(); }
-  void transfer(StateArchive& archive);
+  void transfer(StateArchive& archive) { archive(command_); }
 
  private:
   void receive(const geometry_msgs::Twist& twist, Time stamp);
@@ -49,7 +50,7 @@ class TwistInput {
   Time timeout_{0};
   bool isEnabled_ = false;
   std::string warned_;
-  std::optional<Command> command_;
+  std::optional<TwistCommand> command_;
   std::unique_ptr<RosSubscription> subscription_;
 };
 

@@ -267,7 +267,7 @@ class Server::Loop {
       case LWS_CALLBACK_HTTP:
         return serve(socket, {static_cast<const char*>(in), length});
       case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
-        return admit(socket, static_cast<const char*>(in));
+        return admit(socket);
       case LWS_CALLBACK_ESTABLISHED:
         return begin(socket);
       case LWS_CALLBACK_RECEIVE:
@@ -338,7 +338,9 @@ class Server::Loop {
   }
 
   /// @return Below 0: close; above: refused, with a response; 0: accepted.
-  int admit(lws* socket, std::string_view wanted) {
+  int admit(lws* socket) {
+    // not the callback's pointer: where the library has refused the upgrade, it is to freed memory
+    const std::string wanted = headerOf(socket, WSI_TOKEN_UPGRADE);
     if (wanted != "websocket" && wanted != "WebSocket") return -1;
     const auto say = [socket](int status, const std::string& why) { return answerText(socket, status, why) ? 1 : -1; };
     const Permission permission = judgeClient(settings_.access, visitOf(socket));

@@ -134,6 +134,17 @@ TEST_F(ServerTest, RefusesForeignHostsAndPages) {
   EXPECT_EQ(server_->clients(), 0U);
 }
 
+TEST_F(ServerTest, RefusesOtherProtocolsThanWebSocket) {
+  const int port = start();
+  for (const char* protocol : {"chess", "h2c"}) {
+    RawClient client(port);
+    client.send("GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+                "\r\nConnection: Upgrade\r\nUpgrade: " + protocol + "\r\n\r\n");
+    EXPECT_TRUE(client.finish()) << protocol;
+  }
+  EXPECT_TRUE(RawClient(port).open("/", kEcho).starts_with("HTTP/1.1 101"));
+}
+
 TEST_F(ServerTest, LetsAPageLookThatIsNamed) {
   settings_.access.readingOrigins = {"https://app.example"};
   RawClient client(start());
