@@ -35,8 +35,10 @@ def skip_without_its_world(file):
         pytest.skip(f"there is no {world} of Fortress here")
 
 
-def test_there_are_scenarios():
-    assert len(FILES) >= 20
+def test_each_example_world_of_a_system_has_one():
+    worlds = {file.parent for file in PROJECT.glob("plugins/*/*/*.sdf")}
+    assert len(worlds) >= 60
+    assert worlds - {file.parent for file in FILES} == set()
 
 
 @pytest.mark.parametrize("file", FILES, ids=name_of)
