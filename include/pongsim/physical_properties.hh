@@ -1,15 +1,18 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/outcome.hh"
 
 namespace pongsim {
 
-/// Properties of links, collisions, joints and visuals that are changed between two steps, so that a world differs from
-/// its file in them without being loaded again. They are part of saved states, and a reset brings those of the file
-/// back. Must not outlive the `Simulation`. Systems that have read a property before, such as a controller that knows
-/// the mass of its robot, go on with the old one.
+/// Properties of links, collisions, joints and visuals that are changed between two steps, so that a world
+/// differs from its file in them without being loaded again. They are part of saved states, and a reset brings those of
+/// the file back. Must not outlive the `Simulation`. Systems that have read a property before, such as a controller
+/// that knows the mass of its robot, or buoyancy that knows its volume, go on with the old one.
 class PONGSIM_API PhysicalProperties {
  public:
   explicit PhysicalProperties(const World& world) : access_(world.access_) {}
@@ -35,6 +38,27 @@ class PONGSIM_API PhysicalProperties {
   Outcome<void> setDamping(const Joint& joint, double damping, int axis = 0);
   /// Changes the friction [N m or N] of a joint's axis; `Joint::friction` tells it.
   Outcome<void> setFriction(const Joint& joint, double friction, int axis = 0);
+
+  /// @return The size of a simple shape [m]: x, y and z of a box, the radius of a sphere, radius and length of a
+  /// cylinder or capsule, the radii of an ellipsoid; empty for other shapes.
+  std::vector<double> size(const Collision& collision) const;
+  /// @param visual One of the link's.
+  std::vector<double> size(const Link& link, const Visual& visual) const;
+  /// What takes the new size of a collision along.
+  struct Following {
+    /// The visuals of its link with the same shape, size and pose.
+    bool visuals = true;
+    /// Mass and inertia of its link: its mass is spread over the new shape as over the old one, with the same density.
+    /// Refused if the link has other collisions, or if that would move the centre of mass or turn the principal axes of
+    /// inertia.
+    bool mass = false;
+  };
+  /// Changes the size of a collision, 1e-6 m or more; `size` and `Collision::shape` tell it. Its frame stays, and so do
+  /// wheel radii and the like in the parameters of systems. What is now inside of something is pushed out at
+  /// 1 cm/s.
+  Outcome<void> setSize(const Collision& collision, std::span<const double> size, const Following& following);
+  /// Changes the size in which cameras and lidars see a visual.
+  Outcome<void> setSize(const Link& link, const Visual& visual, std::span<const double> size);
 
   /// Changes the colour in which cameras, the scene and the state message show a visual, until a reset; its textures
   /// are tinted with it. Colours are no part of saved states, because nothing moves by them.

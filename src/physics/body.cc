@@ -70,7 +70,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       id_(record.id),
       moves_(isMoving(record)),
       hasGravity_(record.description->gravity),
-      mass_{mass.mass, 1},
+      mass_{mass.mass},
       momentsOfFile_(toBullet(mass.moments)),
       moments_(momentsOfFile_),
       isRound_(mass.moments.x() == mass.moments.y() && mass.moments.y() == mass.moments.z()),
@@ -108,18 +108,27 @@ void Body::setLink(world::Slot link) {
 
 bool Body::canHave(const Mass& mass) const {
   const SpatialInertia* inertia = rigid_.spatialInertia();
-  return inertia == nullptr || inertia->isPossibleWith(mass.mass, fromBullet(momentsOfFile_ * mass.inertiaFactor));
+  return inertia == nullptr ||
+         inertia->isPossibleWith(mass.mass, fromBullet(momentsOfFile_).cwiseProduct(mass.stretch) * mass.inertiaFactor);
 }
 
 void Body::setMass(const Mass& mass) {
   mass_ = mass;
-  moments_ = mass.inertiaFactor == 1 ? momentsOfFile_ : momentsOfFile_ * mass.inertiaFactor;
-  assert(moves_ && mass.mass > 0 && mass.inertiaFactor > 0);
+  const btVector3 factors = toBullet(Vector3(mass.stretch * mass.inertiaFactor));
+  // a product with 1 has the same bits
+  moments_ = momentsOfFile_ * factors;
+  isRound_ = moments_.x() == moments_.y() && moments_.y() == moments_.z();
+  assert(moves_ && mass.mass > 0 && mass.inertiaFactor > 0 && mass.stretch.minCoeff() > 0);
   rigid_.setMassProps(mass.mass, moments_);
   // Bullet keeps the weight
   rigid_.setGravity(rigid_.getGravity());
   rigid_.updateInertiaTensor();
   if (rigid_.spatialInertia() != nullptr) rigid_.spatialInertia()->setMass(mass.mass, fromBullet(moments_));
+}
+
+void Body::reshape(const description::Link& description, HullStore& hulls, SharedShapes& shared) {
+  shape_.reshape(description, X_BodyLink_, moves_, hulls, shared);
+  rigid_.setCollisionShape(shape_.root());
 }
 
 void Body::setGravity(const Vector3& gravity) {
@@ -191,12 +200,16 @@ void Body::transfer(StateArchive& archive) {
   if (moves_) {
     archive(mass.mass);
     archive(mass.inertiaFactor);
-    archive.check(mass.mass >= description::kLeastMass && mass.mass <= description::kLargestMass &&
-                  mass.inertiaFactor >= description::kLeastMass && mass.inertiaFactor <= description::kLargestMass);
+    archive(mass.stretch);
+    const auto isFactor = [](double factor) {
+      return factor >= description::kLeastMass && factor <= description::kLargestMass;
+    };
+    archive.check(isFactor(mass.mass) && isFactor(mass.inertiaFactor) && isFactor(mass.stretch.minCoeff()) &&
+                  isFactor(mass.stretch.maxCoeff()));
     archive.check(canHave(mass));
   }
   if (!archive.isGiving()) return;
-  if (mass.mass != mass_.mass || mass.inertiaFactor != mass_.inertiaFactor) setMass(mass);
+  if (mass != mass_) setMass(mass);
   rigid_.setWorldTransform(transform);
   rigid_.setInterpolationWorldTransform(transform);
   rigid_.updateInertiaTensor();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "physics/convert.hh"
 #include "physics/mass.hh"
 #include "physics/rigid_body.hh"
 #include "physics/shapes/shape.hh"
@@ -37,16 +38,24 @@ class Body {
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
-  /// Mass [kg], and how many times the description's moments of inertia the present ones are.
+  /// Mass [kg], and how many times the description's moments of inertia the present ones are: along all principal axes,
+  /// and beyond that along each.
   struct Mass {
     double mass = 0;
     double inertiaFactor = 1;
+    Vector3 stretch = Vector3::Ones();
+    bool operator==(const Mass&) const = default;
   };
   const Mass& mass() const { return mass_; }
   /// @return False where its added mass does not allow this mass: there are motions whose inertia would be negative.
   bool canHave(const Mass& mass) const;
-  /// The centre of mass and the principal axes stay. Both numbers must be positive, and possible.
+  /// @return The principal moments of inertia of the description [kg m^2].
+  Vector3 momentsOfFile() const { return fromBullet(momentsOfFile_); }
+  /// The centre of mass and the principal axes stay. All numbers must be positive, and possible.
   void setMass(const Mass& mass);
+
+  /// Takes the sizes of the link's shapes, which have changed. The caller discards its contacts.
+  void reshape(const description::Link& description, HullStore& hulls, SharedShapes& shared);
 
   /// @param gravity World frame [m/s^2]; has no effect on a link with gravity switched off.
   void setGravity(const Vector3& gravity);

@@ -137,15 +137,29 @@ std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) 
 
 Engine::Mass Engine::mass(world::Slot link) const {
   const Body::Mass& mass = parts_->bodies[link]->mass();
-  return {mass.mass, mass.inertiaFactor};
+  return {mass.mass, mass.inertiaFactor, mass.stretch};
 }
 
 bool Engine::canHave(world::Slot link, const Mass& mass) const {
-  return parts_->bodies[link]->canHave({mass.mass, mass.inertiaFactor});
+  return parts_->bodies[link]->canHave({mass.mass, mass.inertiaFactor, mass.stretch});
 }
 
 void Engine::setMass(world::Slot link, const Mass& mass) {
-  parts_->bodies[link]->setMass({mass.mass, mass.inertiaFactor});
+  parts_->bodies[link]->setMass({mass.mass, mass.inertiaFactor, mass.stretch});
+  parts_->stepper.forgetRest();
+}
+
+Engine::Inertia Engine::inertiaOfFile(world::Slot link) const {
+  const Body& body = *parts_->bodies[link];
+  return {body.momentsOfFile(), body.X_LinkBody().rotation};
+}
+
+void Engine::reshape(world::Slot link) {
+  Body& body = *parts_->bodies[link];
+  // its contacts refer to the shapes that go
+  parts_->stepper.collisions().moved(body.rigid());
+  body.reshape(*parts_->entities.links()[link].description, parts_->hulls, parts_->shared);
+  parts_->stepper.collisions().moved(body.rigid());
   parts_->stepper.forgetRest();
 }
 

@@ -126,10 +126,12 @@ class Engine {
   void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
   std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
 
-  /// Mass of a link [kg], and how many times the file's moments of inertia the present ones are.
+  /// Mass of a link [kg], and how many times the file's moments of inertia the present ones are: along all principal
+  /// axes, and beyond that along each.
   struct Mass {
     double mass = 0;
     double inertiaFactor = 1;
+    Vector3 stretch = Vector3::Ones();
   };
   /// @return Mass zero if the link does not move.
   Mass mass(world::Slot link) const;
@@ -137,6 +139,15 @@ class Engine {
   /// @return Whether the link can have it, with its added mass.
   bool canHave(world::Slot link, const Mass& mass) const;
   void setMass(world::Slot link, const Mass& mass);
+  /// Principal moments of inertia of the file [kg m^2], and the orientation of these axes in the link frame.
+  struct Inertia {
+    Vector3 moments = Vector3::Zero();
+    Quaternion q_LinkAxes = Quaternion::Identity();
+  };
+  Inertia inertiaOfFile(world::Slot link) const;
+
+  /// Takes the sizes of a link's shapes, which have changed in `entities`. Discards the link's contacts.
+  void reshape(world::Slot link);
 
   /// Friction coefficients along both friction directions, and restitution.
   struct Feel {

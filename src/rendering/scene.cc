@@ -177,6 +177,10 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
   surroundings_ = entities.description().scene;
   if (background_) surroundings_.background = plainColor(*background_);
   if (ambient_) surroundings_.ambient = plainColor(*ambient_);
+  // capsules of other sizes are other surfaces
+  std::erase_if(shapes_, [this](const auto& shape) {
+    return std::ranges::none_of(items_, [&shape](const Item& item) { return item.surface == shape.second; });
+  });
   update(entities, state);
 }
 

@@ -211,6 +211,16 @@ void Entities::changeLight(Slot light, std::shared_ptr<const description::Light>
   lights_[light].owner = std::move(changed);
 }
 
+void Entities::changeLink(Slot link, std::shared_ptr<const description::Link> changed) {
+  LinkRecord& record = links_[link];
+  if (record.changed == nullptr) record.ofFile = record.description;
+  record.description = changed == nullptr ? record.ofFile : changed.get();
+  for (std::size_t i = 0; i < record.description->collisions.size(); ++i) {
+    collisions_[record.firstCollision + i].description = &record.description->collisions[i];
+  }
+  record.changed = std::move(changed);
+}
+
 void Entities::collectModels(Slot model, std::vector<Slot>& models) const {
   models.push_back(model);
   for (const Slot inner : models_[model].models) collectModels(inner, models);

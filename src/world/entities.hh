@@ -36,6 +36,9 @@ struct LinkRecord {
   /// Slot of its first collision, followed by the others.
   Slot firstCollision = 0;
   bool isSetAside = false;
+  /// Owns the description of a link whose shapes have other sizes than in the file, and that of the file.
+  std::shared_ptr<const description::Link> changed = nullptr;
+  const description::Link* ofFile = nullptr;
 };
 
 struct JointRecord {
@@ -219,6 +222,11 @@ class Entities {
   /// Replaces a light's description. It keeps its id and parent.
   void changeLight(Slot light, std::shared_ptr<const description::Light> changed);
   void removeLight(Slot light);
+
+  /// Replaces a link's description by one that differs in the sizes of its shapes only. The link, its collisions and
+  /// visuals keep their ids.
+  /// @param changed Null: that of the file again.
+  void changeLink(Slot link, std::shared_ptr<const description::Link> changed);
 
   /// What a call of `setAside` has changed.
   struct Switched {

@@ -130,6 +130,38 @@ TEST(Entities, TakesChangesOfLightsBackAtAReset) {
   EXPECT_EQ(entities.slot(moonId), kNoSlot);
 }
 
+TEST(Entities, TakesOtherDescriptionsOfLinksBackAtAReset) {
+  const description::World world = nestedWorld();
+  Entities entities(world);
+  const Slot base = entities.findLink("outer::base");
+  const auto wide = [&] {
+    auto link = std::make_shared<description::Link>(*entities.links()[base].description);
+    link->collisions[0].geometry = description::Sphere{7};
+    return link;
+  };
+  const auto isWide = [&] {
+    const bool isInLink = entities.links()[base].description->collisions[0].geometry.index() == 2;
+    EXPECT_EQ(&entities.links()[base].description->collisions[0], entities.collisions()[0].description);
+    return isInLink;
+  };
+  const CollisionId id = entities.collisions()[0].id;
+  entities.changeLink(base, wide());
+  EXPECT_TRUE(isWide());
+  EXPECT_EQ(entities.slot(id), 0U);
+  entities.changeLink(base, wide());
+  entities.changeLink(base, nullptr);
+  EXPECT_FALSE(isWide());
+  EXPECT_EQ(entities.links()[base].description, &world.models[0].links[0]);
+  entities.changeLink(base, wide());
+  entities.reset();
+  EXPECT_FALSE(isWide());
+  // the engine removes bodies after their entities, and reads their descriptions
+  entities.changeLink(base, wide());
+  const std::weak_ptr<const description::Link> last = entities.links()[base].changed;
+  const Removal removal = entities.removeModel(entities.findModel("outer"));
+  EXPECT_FALSE(last.expired());
+}
+
 TEST(Entities, GivesTheSlotOfAnIdOfItsOwnKindOnly) {
   const description::World world = nestedWorld();
   const Entities entities(world);

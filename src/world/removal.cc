@@ -77,6 +77,9 @@ Removal Entities::removeModels(const std::vector<Slot>& models) {
     noteSlots(joints_, firstOfJoint, lastOfJoint, gone.joints);
     noteSlots(sensors_, firstOfJoint, lastOfJoint, gone.sensors);
   }
+  for (const Slot link : gone.links) {
+    if (links_[link].changed != nullptr) removal.descriptions.push_back(links_[link].changed);
+  }
   for (const Slot each : gone.models) removal.models.push_back(models_[each].id);
   removal.links = gone.links;
   removal.joints = gone.joints;

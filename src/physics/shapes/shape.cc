@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -34,13 +35,32 @@ bool usesHulls(const description::Geometry& geometry, bool moves) {
 
 LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls,
                      SharedShapes& shared) {
+  for (const description::Collision& collision : link.collisions) {
+    surfacesOfParts_.push_back(shared.surface(collision.surface));
+    const description::Surface& surface = *surfacesOfParts_.back();
+    collisions_.push_back({&surface, surface.slip1, surface.slip2, (X_BodyLink * collision.X_LinkCollision).rotation});
+  }
+  build(link, X_BodyLink, moves, hulls, shared);
+}
+
+void LinkShape::reshape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls,
+                        SharedShapes& shared) {
+  assert(link.collisions.size() == collisions_.size());
+  holder_.reset();
+  parts_.clear();
+  owned_.clear();
+  surfaces_.clear();
+  build(link, X_BodyLink, moves, hulls, shared);
+}
+
+// makes the shapes of all collisions
+void LinkShape::build(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls,
+                      SharedShapes& shared) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < link.collisions.size(); ++i) {
     const description::Collision& collision = link.collisions[i];
     const Pose X_BodyCollision = X_BodyLink * collision.X_LinkCollision;
-    surfacesOfParts_.push_back(shared.surface(collision.surface));
-    const description::Surface& surface = *surfacesOfParts_.back();
-    collisions_.push_back({&surface, surface.slip1, surface.slip2, X_BodyCollision.rotation});
+    const description::Surface& surface = *surfacesOfParts_[i];
     int piece = 0;
     const auto add = [&](btCollisionShape* shape, const Pose& X_BodyPart) {
       parts_.push_back(shape);

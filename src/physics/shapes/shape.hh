@@ -33,6 +33,11 @@ class LinkShape {
   /// @param shared Shapes and surfaces that other links may use too.
   LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls, SharedShapes& shared);
 
+  /// Takes other sizes of the link's shapes; what is known of its surfaces stays. Call it with what the constructor was
+  /// given, but for the sizes. The former `root` goes.
+  void reshape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls,
+               SharedShapes& shared);
+
   LinkShape(const LinkShape&) = delete;
   LinkShape& operator=(const LinkShape&) = delete;
 
@@ -84,6 +89,7 @@ class LinkShape {
  private:
   static constexpr int kChanged = 1;
 
+  void build(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls, SharedShapes& shared);
   void assemble(const std::vector<Pose>& poses);
 
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;

@@ -13,10 +13,10 @@
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
-#include "world/new_color.hh"
 #include "sim/inputs/outside_changes.hh"
 #include "sim/levels.hh"
 #include "world/entities.hh"
+#include "world/new_color.hh"
 #include "world/state.hh"
 
 namespace pongsim::sim {

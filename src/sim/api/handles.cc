@@ -88,7 +88,12 @@ MassInfo Link::mass() const {
   const physics::Engine::Mass now = access_->engine.mass(slotOf(*access_, id_));
   // as in the file for a link that does not move
   const bool isChanged = now.mass > 0;
-  const Matrix3 inertia = axes * inertial.moments * axes.transpose();
+  Matrix3 inertia = axes * inertial.moments * axes.transpose();
+  if (isChanged && now.stretch != Vector3::Ones()) {
+    const physics::Engine::Inertia file = access_->engine.inertiaOfFile(slotOf(*access_, id_));
+    const Matrix3 principal = file.q_LinkAxes.toRotationMatrix();
+    inertia = principal * file.moments.cwiseProduct(now.stretch).asDiagonal() * principal.transpose();
+  }
   return {isChanged ? now.mass : inertial.mass, inertial.X_LinkCom.position,
           isChanged && now.inertiaFactor != 1 ? Matrix3(inertia * now.inertiaFactor) : inertia,
           inertial.X_LinkCom.rotation};

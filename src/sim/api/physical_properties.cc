@@ -1,11 +1,15 @@
 #include "pongsim/physical_properties.hh"
 
+#include <cstdint>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "description/limits.hh"
+#include "description/size.hh"
 #include "sim/api/access.hh"
+#include "sim/edits/size_edits.hh"
 
 namespace pongsim {
 
@@ -33,6 +37,15 @@ Outcome<void> checkRange(const std::string& what, double number, double least, d
   return {text.str()};
 }
 
+/// @return The number of the visual in its link.
+std::size_t numberOf(const sim::Access& access, const Link& link, const Visual& visual) {
+  const world::LinkRecord& record = access.entities.links()[sim::slotOf(access, link.id())];
+  const std::uint64_t first = world::visualId(record, 0).value;
+  const std::uint64_t number = visual.id().value - first;
+  if (number >= record.description->visuals.size()) throw std::invalid_argument("the visual is not one of the link's");
+  return number;
+}
+
 }  // namespace
 
 Outcome<void> PhysicalProperties::setMass(const Link& link, double mass, double inertiaFactor) {
@@ -45,10 +58,11 @@ Outcome<void> PhysicalProperties::setMass(const Link& link, double mass, double 
   if (auto checked = checkRange("the inertia's factor of " + name, inertiaFactor, kLeastMass, kLargestMass); !checked) {
     return checked;
   }
-  if (!access_->engine.canHave(slot, {mass, inertiaFactor})) {
+  const physics::Engine::Mass wanted{mass, inertiaFactor, access_->engine.mass(slot).stretch};
+  if (!access_->engine.canHave(slot, wanted)) {
     return {"with this mass and inertia, " + name + " and its fluid_added_mass have no positive definite inertia"};
   }
-  access_->engine.setMass(slot, {mass, inertiaFactor});
+  access_->engine.setMass(slot, wanted);
   return {};
 }
 
@@ -118,6 +132,27 @@ Outcome<void> PhysicalProperties::setBounds(const Joint& joint, const Bounds& bo
   if (!(bounds.effort >= 0)) return {"the effort" + of + " must not be below 0"};
   access_->engine.setBounds(slot, static_cast<std::size_t>(axis), {bounds.lower, bounds.upper, bounds.effort});
   return {};
+}
+
+std::vector<double> PhysicalProperties::size(const Collision& collision) const {
+  const SurfacePlace place = placeOf(*access_, collision.id());
+  return description::sizeOf(access_->entities.links()[place.link].description->collisions[place.number].geometry);
+}
+
+std::vector<double> PhysicalProperties::size(const Link& link, const Visual& visual) const {
+  const world::LinkRecord& record = access_->entities.links()[sim::slotOf(*access_, link.id())];
+  return description::sizeOf(record.description->visuals[numberOf(*access_, link, visual)].geometry);
+}
+
+Outcome<void> PhysicalProperties::setSize(const Collision& collision, std::span<const double> size,
+                                          const Following& following) {
+  const SurfacePlace place = placeOf(*access_, collision.id());
+  return sim::setCollisionSize(*access_, place.link, place.number, size, {following.visuals, following.mass});
+}
+
+Outcome<void> PhysicalProperties::setSize(const Link& link, const Visual& visual, std::span<const double> size) {
+  const world::Slot slot = sim::slotOf(*access_, link.id());
+  return sim::setVisualSize(*access_, slot, numberOf(*access_, link, visual), size);
 }
 
 }  // namespace pongsim

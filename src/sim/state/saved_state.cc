@@ -12,13 +12,14 @@
 #include "base/hash.hh"
 #include "description/limits.hh"
 #include "sim/edits/editor.hh"
+#include "sim/edits/size_edits.hh"
 #include "sim/state/saved_joints.hh"
 
 namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim6";
+constexpr std::string_view kMark = "pongsim7";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);
@@ -54,6 +55,7 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
 void transfer(StateArchive& archive, Access& access) {
   access.levels.transfer(archive);
   world::transfer(archive, access.state);
+  transferSizes(archive, access);
   access.engine.transfer(archive);
   if (archive.isGiving()) access.engine.setGravity(access.state.gravity);
   for (world::Slot slot = 0; slot < access.entities.models().size(); ++slot) {
@@ -141,6 +143,8 @@ Outcome<void> restoreAll(std::span<const std::byte> bytes, Access& access, Syste
     content(saved);
     if (Outcome<void> restored = restoreContent(saved, access, systems); !restored) return restored;
     transfer(content, access);
+    // sizes of shapes
+    systems.announceChanges();
     if (!content.rest().empty()) return {"the saved state is invalid: it is too long"};
     systems.restore(saved.systems, true);
     return {};
