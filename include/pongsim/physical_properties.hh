@@ -1,15 +1,20 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/outcome.hh"
+#include "pongsim/sensing/noise_settings.hh"
 
 namespace pongsim {
 
-/// Properties of links, collisions, joints and visuals that are changed between two steps, so that a world
+class NoiseSet;
+
+/// Properties of links, collisions, joints, visuals and sensors that are changed between two steps, so that a world
 /// differs from its file in them without being loaded again. They are part of saved states, and a reset brings those of
 /// the file back. Must not outlive the `Simulation`. Systems that have read a property before, such as a controller
 /// that knows the mass of its robot, or buoyancy that knows its volume, go on with the old one.
@@ -60,6 +65,19 @@ class PONGSIM_API PhysicalProperties {
   /// Changes the size in which cameras and lidars see a visual.
   Outcome<void> setSize(const Link& link, const Visual& visual, std::span<const double> size);
 
+  /// Noise on a value that a sensor reads.
+  struct ReadingNoise {
+    /// Such as "range" or "acceleration x".
+    std::string value;
+    NoiseSettings noise;
+  };
+  /// @return The noise of a sensor's readings, also where there is none; empty for a sensor without a system that gives
+  /// it noise.
+  std::vector<ReadingNoise> noises(const Sensor& sensor) const;
+  /// Changes the noise of a value from the next reading on. Its offset begins again as at the start. What a sensor says
+  /// of its accuracy in messages stays as in the file.
+  Outcome<void> setNoise(const Sensor& sensor, std::string_view value, const NoiseSettings& noise);
+
   /// Changes the colour in which cameras, the scene and the state message show a visual, until a reset; its textures
   /// are tinted with it. Colours are no part of saved states, because nothing moves by them.
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
@@ -79,6 +97,10 @@ class PONGSIM_API PhysicalProperties {
   Outcome<void> setBounds(const Joint& joint, const Bounds& bounds, int axis = 0);
 
  private:
+  friend class SensorSystem;
+  /// Makes a sensor's noise known until it is removed.
+  void add(const Sensor& sensor, NoiseSet& noises);
+  void remove(const NoiseSet& noises);
   Outcome<void> setResistance(const Joint& joint, const char* what, double number, int axis);
   sim::Access* access_;
 };

@@ -23,6 +23,9 @@ class PONGSIM_API Noise {
   /// @param dt Time since the last due reading [s].
   void begin(Time time, double dt);
 
+  /// @return Whether `apply` changes values.
+  bool isOn() const { return stream_.has_value(); }
+
   /// @return The value with noise for the current reading; each call draws again.
   double apply(double value);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -48,15 +49,24 @@ class PONGSIM_API NoiseSet {
   void begin(Time time, double dt);
   void transfer(StateArchive& archive);
 
-  /// Starts again, with all streams split off from this one as at first.
+  std::size_t size() const;
+  const std::string& name(std::size_t number) const;
+  const NoiseSettings& settings(std::size_t number) const;
+  /// Gives a value other noise until the next `reset`. Its offset begins again.
+  void change(std::size_t number, const NoiseSettings& settings);
+
+  /// Starts again with the settings of the start, and with all streams split off from this one as at first.
   void reset(const Random& random);
 
  private:
   Random random_;
   struct NamedNoise {
-    NoiseSettings settings;
+    NoiseSettings ofFile;
     std::string name;
-    Noise noise;
+    /// What all its noise since the last reset is drawn from.
+    Random stream;
+    Noise noise = Noise(ofFile, stream);
+    NoiseSettings settings = ofFile;
   };
   // a deque keeps references to its elements valid
   std::deque<NamedNoise> noises_;

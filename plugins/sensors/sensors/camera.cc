@@ -101,8 +101,8 @@ bool CameraSensor::isHeardElsewhere() const {
 
 /// @return Whether the rendered pixels need no processing, and at most one subscriber took the last image.
 bool CameraSensor::isDrawnAsItIsSent() const {
-  return settings_.format == PixelFormat::kR8G8B8 && settings_.noise.type == NoiseSettings::Type::kNone &&
-         !distortion_ && !wideLens_ && !settings_.savesPictures && writes_ <= 1;
+  return settings_.format == PixelFormat::kR8G8B8 && !noise_.isOn() && !distortion_ && !wideLens_ &&
+         !settings_.savesPictures && writes_ <= 1;
 }
 
 void CameraSensor::drawColors() {
@@ -119,7 +119,7 @@ void CameraSensor::drawColors() {
   } else {
     body_.scene().drawColors(view_, colors_);
   }
-  if (settings_.noise.type == NoiseSettings::Type::kNone) return;
+  if (!noise_.isOn()) return;
   for (std::uint8_t& value : colors_) {
     const double share = std::clamp(noise_.apply(value / 255.0), 0.0, 1.0);
     value = static_cast<std::uint8_t>(std::lround(share * 255));
@@ -129,7 +129,7 @@ void CameraSensor::drawColors() {
 void CameraSensor::drawDepths() {
   depths_.resize(std::size_t{settings_.width} * settings_.height);
   body_.scene().drawDepths(depthView_, depths_);
-  if (settings_.noise.type == NoiseSettings::Type::kNone) return;
+  if (!depthNoise_.isOn()) return;
   shifts_.assign(depths_.size(), 0);
   for (std::size_t i = 0; i < depths_.size(); ++i) {
     float& depth = depths_[i];

@@ -73,8 +73,7 @@ LidarSensor::LidarSensor(const SensorContext& context, LidarSurroundings& surrou
       sensor_(context.sensor),
       settings_(*sensor_.settings<LidarSettings>()),
       surroundings_(surroundings),
-      noise_(context.noises.add(settings_.noise, "range")),
-      hasNoise_(settings_.noise.type != NoiseSettings::Type::kNone) {
+      noise_(context.noises.add(settings_.noise, "range")) {
   const auto [columns, rows] = checkedCounts(sensor_, settings_);
   message().set_frame(sensor_.frameName());
   fillInFixed(settings_, columns, rows, message());
@@ -101,7 +100,7 @@ void LidarSensor::measure() {
   double* intensities = scan.mutable_intensities()->mutable_data();
   for (const Echo& echo : echoes_) {
     double range = echo.range;
-    if (hasNoise_ && std::isfinite(range)) {
+    if (noise_.isOn() && std::isfinite(range)) {
       range = std::clamp(noise_.apply(range), settings_.minRange, settings_.maxRange);
     }
     *ranges++ = range;

@@ -40,7 +40,6 @@ class LidarSensor final : public SensorOf<ignition::msgs::LaserScan> {
   LidarSettings settings_;
   LidarSurroundings& surroundings_;
   Noise& noise_;
-  bool hasNoise_;
   /// Directions of the beams in the sensor frame, row by row from the lowest one.
   std::vector<Vector3> directions_;
   std::vector<Echo> echoes_;

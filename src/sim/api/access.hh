@@ -19,6 +19,10 @@
 #include "world/new_color.hh"
 #include "world/state.hh"
 
+namespace pongsim {
+class NoiseSet;
+}
+
 namespace pongsim::sim {
 
 class SystemSlot;
@@ -82,6 +86,8 @@ class Access {
   }
   /// Colours of visuals that were changed.
   std::map<VisualId, world::NewColor> colors = {};
+  /// The noise of sensors; several where several systems simulate one.
+  std::multimap<SensorId, NoiseSet*> noises = {};
   /// For each name N, the number of names N_0, N_1, ... known to be taken; valid until an entity is removed.
   struct TakenNames {
     std::uint64_t removals = 0;

@@ -8,6 +8,8 @@
 
 #include "description/limits.hh"
 #include "description/size.hh"
+#include "pongsim/sensing/noise_set.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/size_edits.hh"
 
@@ -44,6 +46,22 @@ std::size_t numberOf(const sim::Access& access, const Link& link, const Visual& 
   const std::uint64_t number = visual.id().value - first;
   if (number >= record.description->visuals.size()) throw std::invalid_argument("the visual is not one of the link's");
   return number;
+}
+
+/// @return What the numbers must be for noise to be possible.
+Outcome<void> checkNoise(const NoiseSettings& noise) {
+  using description::kLargestCoefficient;
+  for (const double mean : {noise.mean, noise.biasMean}) {
+    if (auto checked = checkRange("a mean of noise", mean, -kLargestCoefficient, kLargestCoefficient); !checked) {
+      return checked;
+    }
+  }
+  for (const double number : {noise.standardDeviation, noise.biasStandardDeviation, noise.dynamicBiasStandardDeviation,
+                              noise.dynamicBiasCorrelationTime, noise.precision}) {
+    auto checked = checkRange("a deviation, time or precision of noise", number, 0, kLargestCoefficient);
+    if (!checked) return checked;
+  }
+  return {};
 }
 
 }  // namespace
@@ -153,6 +171,39 @@ Outcome<void> PhysicalProperties::setSize(const Collision& collision, std::span<
 Outcome<void> PhysicalProperties::setSize(const Link& link, const Visual& visual, std::span<const double> size) {
   const world::Slot slot = sim::slotOf(*access_, link.id());
   return sim::setVisualSize(*access_, slot, numberOf(*access_, link, visual), size);
+}
+
+std::vector<PhysicalProperties::ReadingNoise> PhysicalProperties::noises(const Sensor& sensor) const {
+  std::vector<ReadingNoise> noises;
+  const auto [begin, end] = access_->noises.equal_range(sensor.id());
+  for (auto set = begin; set != end; ++set) {
+    for (std::size_t i = 0; i < set->second->size(); ++i) {
+      noises.push_back({set->second->name(i), set->second->settings(i)});
+    }
+  }
+  return noises;
+}
+
+Outcome<void> PhysicalProperties::setNoise(const Sensor& sensor, std::string_view value, const NoiseSettings& noise) {
+  if (auto checked = checkNoise(noise); !checked) return {checked.error + ": sensor '" + sensor.scopedName() + "'"};
+  std::string known;
+  const auto [begin, end] = access_->noises.equal_range(sensor.id());
+  for (auto set = begin; set != end; ++set) {
+    for (std::size_t i = 0; i < set->second->size(); ++i) {
+      known += (known.empty() ? "'" : ", '") + set->second->name(i) + "'";
+      if (set->second->name(i) != value) continue;
+      set->second->change(i, noise);
+      return {};
+    }
+  }
+  return {"sensor '" + sensor.scopedName() + "' has no noise of a value '" + std::string(value) + "'; " +
+          (known.empty() ? "no system of the world gives its readings noise" : "it has " + known)};
+}
+
+void PhysicalProperties::add(const Sensor& sensor, NoiseSet& noises) { access_->noises.emplace(sensor.id(), &noises); }
+
+void PhysicalProperties::remove(const NoiseSet& noises) {
+  std::erase_if(access_->noises, [&noises](const auto& each) { return each.second == &noises; });
 }
 
 }  // namespace pongsim

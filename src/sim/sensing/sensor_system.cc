@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "pongsim/physical_properties.hh"
 #include "sim/diagnostic_log.hh"
 
 namespace pongsim {
@@ -19,11 +20,18 @@ SensorDevice::~SensorDevice() = default;
 
 /// A sensor and its device, topic and noise.
 struct SensorSystem::Member {
-  Member(const Sensor& sensor, std::size_t type, const SensorReadings& readings, Node& node, Random& random)
+  Member(const World& world, const Sensor& sensor, std::size_t type, const SensorReadings& readings, Node& node,
+         Random& random)
       : handle(sensor),
         typeNumber(type),
         topic(sensor, readings.suffix, readings.messageType, node, readings.behind),
-        noises(random.split(sensor.scopedName())) {}
+        noises(random.split(sensor.scopedName())),
+        properties(world) {
+    properties.add(sensor, noises);
+  }
+  ~Member() { properties.remove(noises); }
+  Member(const Member&) = delete;
+  Member& operator=(const Member&) = delete;
 
   void update(const StepInfo& info) {
     device->observe(info);
@@ -47,6 +55,8 @@ struct SensorSystem::Member {
   bool isThere = true;
   SensorTopic topic;
   NoiseSet noises;
+  /// Where its noise is known.
+  PhysicalProperties properties;
   // declared last, because it refers to the members above
   std::unique_ptr<SensorDevice> device;
 };
@@ -128,7 +138,7 @@ void SensorSystem::add(const Sensor& sensor, std::size_t type, Diagnostics& diag
   // again
   const Random before = *random_;
   try {
-    auto member = std::make_unique<Member>(sensor, type, readings.front(), *node_, *random_);
+    auto member = std::make_unique<Member>(*world_, sensor, type, readings.front(), *node_, *random_);
     member->device = make({sensor, *world_, *node_, member->topic, member->noises, readings, diagnostics});
     members_.push_back(std::move(member));
     known_.insert(sensor.id().value);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/physical_properties.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim {
@@ -180,6 +181,32 @@ TEST_F(SensorSystemTest, GoesOnFromASavedState) {
   EXPECT_NE(measured(), next);
   EXPECT_TRUE(simulation_->restoreState(state));
   EXPECT_EQ(measured(), next);
+}
+
+TEST_F(SensorSystemTest, MakesTheNoiseOfItsSensorsKnown) {
+  start(modelWith("a", "a") + modelWith("b", "b"), std::make_unique<SensorSystemFor<HeightSensor>>());
+  listen("a");
+  const std::string before = measured();
+  PhysicalProperties properties(simulation_->world());
+  const Sensor sensor = simulation_->world().model("a")->link("l")->sensors().front();
+  const auto noises = properties.noises(sensor);
+  ASSERT_EQ(noises.size(), 1U);
+  EXPECT_EQ(noises[0].value, "height");
+  EXPECT_EQ(noises[0].noise.standardDeviation, 1);
+  NoiseSettings none;
+  ASSERT_TRUE(properties.setNoise(sensor, "height", none));
+  measured();
+  EXPECT_EQ(heard_["a"].back().x(), 5);
+  EXPECT_EQ(properties.setNoise(sensor, "depth", none).error,
+            "sensor 'a::l::a' has no noise of a value 'depth'; it has 'height'");
+  NoiseSettings bad;
+  bad.standardDeviation = -1;
+  EXPECT_FALSE(properties.setNoise(sensor, "height", bad));
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(measured(), before);
+  ASSERT_TRUE(simulation_->remove(simulation_->world().model("a").value()));
+  EXPECT_EQ(properties.noises(simulation_->world().model("b")->link("l")->sensors().front()).size(), 1U);
 }
 
 TEST_F(SensorSystemTest, PublishesSeveralSensorsOnOneTopic) {

@@ -34,11 +34,10 @@ void ThermalCamera::measure() {
   body_.scene().drawTemperatures(body_.view(), temperatures_);
   const double most =
       hasEightBits_ ? std::numeric_limits<std::uint8_t>::max() : std::numeric_limits<std::uint16_t>::max();
-  const bool isNoisy = body_.settings().noise.type != NoiseSettings::Type::kNone;
   values_.resize(temperatures_.size());
   std::ranges::transform(temperatures_, values_.begin(), [&](float temperature) {
     double value = std::clamp(static_cast<double>(temperature), thermal.coldest, thermal.hottest) / resolution_;
-    if (isNoisy) value = noise_.apply(value / most) * most;
+    if (noise_.isOn()) value = noise_.apply(value / most) * most;
     return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0, most)));
   });
 }
