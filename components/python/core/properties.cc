@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -50,6 +52,18 @@ int knownAxis(const Joint& joint, int axis) {
   throw py::index_error("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis));
 }
 
+/// @param size A number, or several.
+/// Raises TypeError.
+std::vector<double> sizeFrom(py::handle size) {
+  if (PyNumber_Check(size.ptr()) != 0 && PySequence_Check(size.ptr()) == 0) return {size.cast<double>()};
+  try {
+    return size.cast<std::vector<double>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("a size must be a number, or several in a tuple, not " +
+                         std::string(py::str(py::type::of(size).attr("__name__"))));
+  }
+}
+
 /// @return "link 'l' has no collision 'd'; did you mean 'c'?"
 [[noreturn]] void raiseUnknown(const Link& link, const char* kind, const std::string& name,
                                const std::vector<std::string>& known) {
@@ -70,6 +84,35 @@ Visual visualOf(const Link& link, const std::string& name) {
     if (each.name() == name) return each;
   }
   raiseUnknown(link, "visual", name, visualNames(link));
+}
+
+py::tuple sizeTuple(const std::vector<double>& numbers) { return py::tuple(py::cast(numbers)); }
+
+/// @return A pongsim.Noise.
+py::object noiseOf(const NoiseSettings& noise) {
+  const bool isOn = noise.type != NoiseSettings::Type::kNone;
+  const NoiseSettings shown = isOn ? noise : NoiseSettings();
+  const bool isRounded = noise.type == NoiseSettings::Type::kGaussianQuantized;
+  return py::module_::import("pongsim.values")
+      .attr("Noise")(shown.standardDeviation, shown.mean, shown.biasStandardDeviation, shown.biasMean,
+                     shown.dynamicBiasStandardDeviation, shown.dynamicBiasCorrelationTime,
+                     isRounded ? noise.precision : 0.0);
+}
+
+/// @param seven The numbers of a pongsim.Noise.
+NoiseSettings noiseFrom(const std::array<double, 7>& seven) {
+  using Type = NoiseSettings::Type;
+  const bool isNone = std::ranges::all_of(seven, [](double number) { return number == 0; });
+  NoiseSettings noise;
+  noise.type = isNone ? Type::kNone : seven[6] != 0 ? Type::kGaussianQuantized : Type::kGaussian;
+  noise.standardDeviation = seven[0];
+  noise.mean = seven[1];
+  noise.biasStandardDeviation = seven[2];
+  noise.biasMean = seven[3];
+  noise.dynamicBiasStandardDeviation = seven[4];
+  noise.dynamicBiasCorrelationTime = seven[5];
+  noise.precision = seven[6];
+  return noise;
 }
 
 void setFriction(PyCollision& self, double friction, std::optional<double> friction2) {
@@ -112,6 +155,19 @@ void bindCollision(py::class_<PyCollision>& collision) {
       .def_property_readonly(
           "restitution", [surfaceOf](PyCollision& self) { return surfaceOf(self).restitution; },
           "Coefficient of restitution, 0 to 1. Of two collisions, the product counts.")
+      .def(
+          "set_size",
+          [](PyCollision& self, py::handle size, bool visuals, bool mass) {
+            PhysicalProperties changes = properties(self.life);
+            checkOutcome(changes.setSize(self.inner, sizeFrom(size), {.visuals = visuals, .mass = mass}));
+          },
+          py::arg("size"), py::kw_only(), py::arg("visuals") = true, py::arg("mass") = false,
+          "Changes the size of a box, sphere, cylinder, capsule or ellipsoid, between two steps, until the world is "
+          "reset. What is inside of something then is pushed out at 1 cm/s. Raises Refused.\n\n"
+          "size: as `size` has it [m]; a radius may be a number.\n"
+          "visuals: visuals of its link with the same shape, size and pose take the size, too.\n"
+          "mass: the mass and inertia of its link follow at the same density; refused if the link has other collisions "
+          "or if its centre of mass would move.")
       .def("set_friction", &setFriction, py::arg("friction"), py::arg("friction2") = py::none(),
            "Changes its friction coefficients, between two steps, until the world is reset. Raises Refused.\n\n"
            "friction2: along the second friction direction; None: the same.")
@@ -178,6 +234,25 @@ void bindProperties(py::class_<PyLink>& link) {
       .def_property_readonly(
           "visual_names", [](PyLink& self) { return visualNames(self.use()); },
           "The names of its visuals, in the order of the file.")
+      .def(
+          "visual_size",
+          [](PyLink& self, const std::string& visual) {
+            const Visual found = visualOf(self.use(), visual);
+            return sizeTuple(PhysicalProperties(self.life->use().world()).size(self.inner, found));
+          },
+          py::arg("visual"),
+          "The size of a visual, as that of a collision; empty if it is no box, sphere, cylinder, capsule or "
+          "ellipsoid. "
+          "Raises KeyError.")
+      .def(
+          "set_visual_size",
+          [](PyLink& self, const std::string& visual, py::handle size) {
+            PhysicalProperties changes = properties(self.life);
+            checkOutcome(changes.setSize(self.inner, visualOf(self.use(), visual), sizeFrom(size)));
+          },
+          py::arg("visual"), py::arg("size"),
+          "Changes the size in which cameras and lidars see a visual, between two steps, until the world is reset. "
+          "Raises KeyError and Refused.")
       .def(
           "set_color",
           [](PyLink& self, const std::string& visual, py::handle color) {
@@ -246,6 +321,28 @@ void bindProperties(py::class_<PyJoint>& joint) {
           },
           py::arg("friction"), py::arg("axis") = 0,
           "Changes the friction of the axis [N m or N], between two steps, until the world is reset. Raises Refused.");
+}
+
+void bindNoise(py::class_<PySensor>& sensor) {
+  sensor
+      .def_property_readonly(
+          "noise",
+          [](PySensor& self) {
+            py::dict noises;
+            const Sensor& inner = self.use();
+            for (const auto& [value, noise] : PhysicalProperties(self.life->use().world()).noises(inner)) {
+              noises[py::str(value)] = noiseOf(noise);
+            }
+            return noises;
+          },
+          "The noise of each value that it reads.")
+      .def(
+          "set_noise",
+          [](PySensor& self, const std::string& value, const std::array<double, 7>& noise) {
+            PhysicalProperties changes = properties(self.life);
+            checkOutcome(changes.setNoise(self.inner, value, noiseFrom(noise)));
+          },
+          py::arg("value"), py::arg("noise"), "Changes the noise of a value. Raises Refused.");
 }
 
 }  // namespace pongsim::python

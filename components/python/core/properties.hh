@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/handles.hh"
+#include "core/sensor.hh"
 
 namespace pongsim::python {
 
@@ -10,5 +11,6 @@ using PyCollision = Handle<Collision>;
 void bindCollision(py::class_<PyCollision>& collision);
 void bindProperties(py::class_<PyLink>& link);
 void bindProperties(py::class_<PyJoint>& joint);
+void bindNoise(py::class_<PySensor>& sensor);
 
 }  // namespace pongsim::python

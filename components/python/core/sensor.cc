@@ -14,7 +14,9 @@
 
 #include "core/errors.hh"
 #include "core/message_dict.hh"
+#include "core/properties.hh"
 #include "core/values.hh"
+#include "pongsim/physical_properties.hh"
 #include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::python {
@@ -199,7 +201,8 @@ void bindSensors(py::module_& module) {
       .def("message", [](const Stream& self, py::handle type) {
         return messageAs(type, self.use().type, std::as_bytes(std::span(self.message)));
       });
-  py::class_<PySensor>(module, "Sensor", "A sensor of a running world.")
+  py::class_<PySensor> sensor(module, "Sensor", "A sensor of a running world.");
+  sensor
       .def_property_readonly(
           "exists", [](PySensor& self) { return !self.life->isClosed() && self.use().exists(); },
           "Whether it is still there.")
@@ -244,8 +247,15 @@ void bindSensors(py::module_& module) {
           },
           "The topic of each kind of reading.")
       .def_property_readonly(
-          "has_noise", [](PySensor& self) { return hasNoise(self.use().sdf()); },
-          "Whether its readings depend on the seed: its element has a <noise> of a type other than none.")
+          "has_noise",
+          [](PySensor& self) {
+            const Sensor& inner = self.use();
+            const auto noises = PhysicalProperties(self.life->use().world()).noises(inner);
+            if (noises.empty()) return hasNoise(inner.sdf());
+            return std::ranges::any_of(noises,
+                                       [](const auto& each) { return each.noise.type != NoiseSettings::Type::kNone; });
+          },
+          "Whether its readings depend on the seed: it has noise now.")
       .def(
           "stream",
           [](PySensor& self, const std::string& kind) {
@@ -254,6 +264,7 @@ void bindSensors(py::module_& module) {
           },
           py::arg("kind"), "Readings of one kind; the first call switches them on.")
       .def("stop", &PySensor::stop, py::arg("kind"), "Switches readings of one kind off.");
+  bindNoise(sensor);
 }
 
 }  // namespace pongsim::python

@@ -26,7 +26,7 @@ from .sensor import Sensor
 from .simulation import Simulation
 from .state import Layout
 from .system import System
-from .values import Contacts, JointAxis, Pose, RayHit, RayHits
+from .values import Contacts, JointAxis, Noise, Pose, RayHit, RayHits
 from .viewing import View
 from .worlds import to_sdf
 
@@ -44,6 +44,7 @@ __all__ = [
     "LoadError",
     "Model",
     "NoReading",
+    "Noise",
     "Pose",
     "RayHit",
     "RayHits",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fnmatch
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,8 @@ from numpy.typing import NDArray
 from . import _core
 from .arrays import view
 from .errors import NoReading
-from .values import Pose
+from .names import closest
+from .values import Noise, Pose
 
 
 class Sensor:
@@ -85,8 +87,31 @@ class Sensor:
 
     @property
     def has_noise(self) -> bool:
-        """Whether its readings depend on the seed: its element has a <noise> of a type other than none."""
+        """Whether its readings depend on the seed: it has noise now."""
         return self._core.has_noise
+
+    @property
+    def noise(self) -> dict[str, Noise]:
+        """The noise of each value that it reads, by its name: "range", or "acceleration x"."""
+        return self._core.noise
+
+    def set_noise(self, value: str = "*", **numbers: float) -> None:
+        """Changes noise from the next reading on, between two steps, until the world is reset. Offsets begin again.
+
+        value: the name of the value in `noise`, with "*" and "?" for several.
+        numbers: those of `Noise` to change: `set_noise(stddev=0.01)`; the others stay.
+        Raises KeyError for an unknown value, TypeError for an unknown number, and Refused.
+        """
+        known = self.noise
+        found = [name for name in known if fnmatch.fnmatchcase(name, value)]
+        if not found:
+            raise KeyError(f"sensor '{self.scoped_name}' has no noise of a value '{value}'{closest(value, known)}"
+                           if known else f"no system of the world gives the readings of sensor '{self.scoped_name}' noise")
+        for number in numbers:
+            if number not in Noise._fields:
+                raise TypeError(f"noise has no '{number}'{closest(number, Noise._fields)}")
+        for name in found:
+            self._core.set_noise(name, known[name]._replace(**numbers))
 
     @property
     def update_rate(self) -> float:

@@ -51,6 +51,24 @@ class JointAxis(NamedTuple):
     friction: float
 
 
+class Noise(NamedTuple):
+    """Noise on a value that a sensor reads, as in its `<noise>`. All but times are in the unit of the value; of a camera,
+    the value is 0 to 1."""
+
+    #: Standard deviation, drawn for each reading.
+    stddev: float = 0.0
+    #: Added to each reading.
+    mean: float = 0.0
+    #: An offset, with a random sign: its standard deviation, drawn at the start, and its mean.
+    bias_stddev: float = 0.0
+    bias_mean: float = 0.0
+    #: How the offset drifts; constant if one of the two is zero [value, s].
+    dynamic_bias_stddev: float = 0.0
+    dynamic_bias_correlation_time: float = 0.0
+    #: Readings are rounded to multiples of it; 0: not rounded.
+    precision: float = 0.0
+
+
 class Contacts(NamedTuple):
     """The contact points of the last step: arrays with one row each, grouped by pairs of collisions. All vectors are in
     the world frame."""

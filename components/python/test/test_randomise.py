@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from conftest import COURT
+from gymnasium import spaces
 from test_gym import NOISY, rail
 from test_observations import EYED
 from test_seeing import SCENE
@@ -103,6 +104,89 @@ def test_everything_of_a_robot():
     env.close()
 
 
+ROLLER = """<sdf version="1.9"><world name="w">
+  <plugin filename="ignition-gazebo-physics-system" name="ignition::gazebo::systems::Physics"/>
+  <model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane/></geometry></collision></link>
+  </model>
+  <model name="ball"><pose>0 0 1 0 0 0</pose><link name="l"><inertial><mass>2</mass></inertial>
+    <collision name="c"><geometry><sphere><radius>0.5</radius></sphere></geometry></collision>
+    <visual name="v"><geometry><sphere><radius>0.5</radius></sphere></geometry></visual></link></model>
+  <model name="crate"><pose>5 0 1 0 0 0</pose><link name="l"><collision name="c"><geometry><box><size>1 2 3</size></box>
+    </geometry></collision></link></model></world></sdf>"""
+
+
+def rolling(*randomise):
+    return gym.Task(world=ROLLER, action=lambda sim, action: None, action_space=spaces.Box(-1, 1, (1,)),
+                    observation={"ball": gym.Pose("ball")}, reward=lambda now: 0.0, randomise=randomise)
+
+
+def radius(sim):
+    return sim.model("ball").link("l").collision("c").size[0]
+
+
+def test_sizes():
+    task = rolling(gym.Randomise("size", "*", 0.5, 2.0), gym.Randomise("size", "ball::*", 1.0, 1.5, with_mass=True))
+    env = gym.Env(task)
+    drawn, hashes = [], []
+    for seed in (1, None, 1, None):
+        env.reset(seed=seed)
+        drawn.append(radius(env.simulation))
+        hashes.append(env.simulation.state_hash())
+    assert drawn[:2] == drawn[2:] and hashes[:2] == hashes[2:] and drawn[0] != drawn[1]
+    sim = env.simulation
+    # the box keeps its proportions
+    numbers = np.random.Generator(np.random.PCG64(np.random.SeedSequence(1))).uniform(0.5, 2.0, 2)
+    env.reset(seed=1)
+    assert sim.model("crate").link("l").collision("c").size == pytest.approx(np.array([1, 2, 3]) * numbers[1])
+    assert sim.model("ball").link("l").visual_size("v") == (radius(sim),)
+    sim.reset()
+    assert radius(sim) == 0.5 and sim.model("ball").link("l").mass == 2
+    envs = gym.VectorEnv(task, 3, threads=2)
+    envs.reset(seed=0)
+    assert radius(envs.simulations[1]) == drawn[0] and len({radius(each) for each in envs.simulations}) == 3
+    envs.close()
+    env.close()
+
+
+def test_a_mass_follows_a_size():
+    env = gym.Env(rolling(gym.Randomise("size", "ball::*", 1.0, 1.0, relative=False, with_mass=True)))
+    env.reset(seed=1)
+    assert radius(env.simulation) == 1 and env.simulation.model("ball").link("l").mass == pytest.approx(16)
+    env.close()
+
+
+def test_a_thousand_sizes_are_those_of_the_file_again():
+    env = gym.Env(rolling(gym.Randomise("size", "*", 0.5, 2.0)))
+    for _ in range(1000):
+        env.reset()
+    env.simulation.reset()
+    with pongsim.Simulation(ROLLER) as fresh:
+        for each in (fresh, env.simulation):
+            each.step(200)
+        assert fresh.state_hash() == env.simulation.state_hash()
+    env.close()
+
+
+def test_noise():
+    task = rail(world=NOISY, randomise=[gym.Randomise("noise", "*::imu::acceleration x", 0.5, 2.0),
+                                        gym.Randomise("noise", "*::imu::turn *", 0.1, 0.2, relative=False)])
+    env = gym.Env(task)
+    drawn = []
+    for seed in (1, None, 1):
+        env.reset(seed=seed)
+        noise = env.simulation._find_sensor("imu").noise
+        drawn.append(noise["acceleration x"].stddev)
+        assert 0.05 <= drawn[-1] <= 0.2 and all(0.1 <= noise[f"turn {axis}"].stddev <= 0.2 for axis in "xyz")
+        assert noise["acceleration y"].stddev == 0
+    assert drawn[0] == drawn[2] != drawn[1]
+    env.close()
+    # of a sensor that has none in the file, too: each episode has its own
+    env = gym.Env(rail(randomise=[gym.Randomise("noise", "*acceleration x", 0.1, 0.1, relative=False)]))
+    felt = [env.reset(seed=1)[0][2], env.reset()[0][2], env.reset(seed=1)[0][2]]
+    assert felt[0] == felt[2] != felt[1]
+    env.close()
+
+
 def look(env):
     return env.simulation.render("eye").reshape(-1, 3).astype(float)
 
@@ -169,6 +253,13 @@ def test_mistakes_are_told_of():
     for low, high in ((2, 1), (-1, 1), (0, np.inf), (np.nan, 1)):
         with pytest.raises(ValueError, match="lesser first"):
             gym.Randomise("mass", "a", low, high)
+    for wrong, said in (({"low": 0, "high": 1}, "above 0"), ({"what": "mass", "low": 1, "high": 1, "with_mass": True}, "goes with")):
+        with pytest.raises(ValueError, match=said):
+            gym.Randomise(**{"what": "size", "name": "*", **wrong})
+    with pytest.raises(ValueError, match="only radii of spheres"):
+        gym.Env(rolling(gym.Randomise("size", "*", 1, 2, relative=False)))
+    with pytest.raises(KeyError, match="did you mean 'cart::body::imu::turn [xyz]'"):
+        gym.Env(rail(randomise=[gym.Randomise("noise", "cart::body::imu::turn", 1, 2)]))
     with pytest.raises(KeyError, match="did you mean 'cart::body'"):
         gym.Env(rail(randomise=[gym.Randomise("mass", "cart::boddy", 1, 2)]))
     with pytest.raises(TypeError, match="list of Randomise"):

@@ -16,8 +16,8 @@ from ..simulation import Simulation
 
 #: What can be drawn.
 Property = Literal[
-    "mass", "inertia", "friction", "restitution", "damping", "joint_friction", "servo_stiffness", "servo_damping", "color",
-    "light_intensity",
+    "mass", "inertia", "size", "friction", "restitution", "damping", "joint_friction", "servo_stiffness", "servo_damping",
+    "noise", "color", "light_intensity",
 ]
 
 
@@ -30,12 +30,14 @@ class Randomise:
     Simulations that are reset by other means have the properties of their file.
     """
 
-    #: "mass" of links, with which their inertia grows; "inertia" of links, as multiples of the file's; "friction" and
-    #: "restitution" of collisions; "damping" and "joint_friction" of the first axis of joints; "servo_stiffness" and
-    #: "servo_damping" of a `JointPosition`; "color" of visuals, of which red, green and blue are each drawn; and
-    #: "light_intensity".
+    #: "mass" of links, with which their inertia grows; "inertia" of links, as multiples of the file's; "size" of
+    #: collisions that are boxes, spheres, cylinders, capsules or ellipsoids, with the visuals of the same shape, size and
+    #: pose; "friction" and "restitution" of collisions; "damping" and "joint_friction" of the first axis of joints;
+    #: "servo_stiffness" and "servo_damping" of a `JointPosition`; "noise" of sensors: multiples of its standard deviations,
+    #: or the `stddev`; "color" of visuals, of which red, green and blue are each drawn; and "light_intensity".
     what: Property
-    #: Scoped name of the link, collision, joint, visual or light, with "*" and "?" for several: "robot::wheel_*".
+    #: Scoped name of the link, collision, joint, visual, light, or of a sensor and its value ("robot::link::lidar::range"),
+    #: with "*" and "?" for several: "robot::wheel_*".
     name: str
     low: float
     high: float
@@ -43,6 +45,8 @@ class Randomise:
     relative: bool = True
     #: Draw one number for all; False: one for each.
     together: bool = False
+    #: With "size": mass and inertia of the link follow at the same density (`Collision.set_size`).
+    with_mass: bool = False
 
     def __post_init__(self) -> None:
         if self.what not in _KINDS:
@@ -52,6 +56,10 @@ class Randomise:
                              f"{self.low} and {self.high}")
         if self.what == "color" and (self.relative or self.high > 1):
             raise ValueError("a color is drawn between two numbers from 0 to 1, with relative=False")
+        if self.what == "size" and self.low == 0:
+            raise ValueError("a size must be above 0")
+        if self.with_mass and self.what != "size":
+            raise ValueError(f"with_mass goes with \"size\", not with \"{self.what}\"")
 
     def attach(self, simulation: Simulation) -> Callable[[np.random.Generator], None]:
         """Returns a function that draws and sets the property in a world, which is as its file says now. Raises KeyError if
@@ -61,6 +69,10 @@ class Randomise:
         found = [part for name, part in known.items() if fnmatch.fnmatchcase(name, self.name)]
         if not found:
             raise KeyError(f"there is nothing called '{self.name}' that has {self.what}{closest(self.name, known)}")
+        if self.what == "size":
+            put = _resizer(self.with_mass)
+            if not self.relative and any(len(part.size) > 1 for part in found):
+                raise ValueError("only radii of spheres are drawn in metres: draw multiples of other sizes (relative=True)")
         bases = [get(part) if self.relative else 1.0 for part in found]
 
         def draw(random: np.random.Generator) -> None:
@@ -88,6 +100,37 @@ def _collisions(simulation: Simulation) -> Iterator[tuple[str, _core.Collision]]
     for name in simulation.model_names:
         for link in simulation.model(name).links:
             yield from ((each.scoped_name, each) for each in link.collisions)
+
+
+def _simple_shapes(simulation: Simulation) -> Iterator[tuple[str, _core.Collision]]:
+    yield from ((name, each) for name, each in _collisions(simulation) if each.shape in _SIMPLE)
+
+
+def _resizer(with_mass: bool) -> Callable[..., None]:
+    return lambda collision, size: collision.set_size(size, mass=with_mass)
+
+
+def _noises(simulation: Simulation) -> Iterator[tuple[str, tuple[_core.Sensor, str]]]:
+    for name in simulation.sensor_names:
+        # not switched on by that
+        sensor = simulation._find_sensor(name)
+        yield from ((f"{name}::{value}", (sensor, value)) for value in sensor.noise)
+
+
+def _deviations(part: tuple[_core.Sensor, str]) -> NDArray[np.float64]:
+    noise = part[0].noise[part[1]]
+    return np.array([noise.stddev, noise.bias_stddev, noise.dynamic_bias_stddev])
+
+
+def _set_noise(part: tuple[_core.Sensor, str], deviations: NDArray[np.float64] | float) -> None:
+    sensor, value = part
+    noise = sensor.noise[value]
+    if isinstance(deviations, float):
+        noise = noise._replace(stddev=deviations)
+    else:
+        stddev, bias, dynamic_bias = deviations.tolist()
+        noise = noise._replace(stddev=stddev, bias_stddev=bias, dynamic_bias_stddev=dynamic_bias)
+    sensor.set_noise(value, noise)
 
 
 def _joints(simulation: Simulation) -> Iterator[tuple[str, _core.Joint]]:
@@ -120,10 +163,14 @@ def _set_friction(collision: _core.Collision, friction: float) -> None:
     collision.set_friction(friction, friction if first == second or first == 0 else friction * second / first)
 
 
+_SIMPLE = ("box", "sphere", "cylinder", "capsule", "ellipsoid")
+
 #: Which parts have it, how it is read, and how it is set.
-_KINDS: dict[str, tuple[Callable[..., Iterator[tuple[str, object]]], Callable[..., float], Callable[..., None]]] = {
+_KINDS: dict[str, tuple[Callable[..., Iterator[tuple[str, Any]]], Callable[..., Any], Callable[..., None]]] = {
     "mass": (_links, lambda link: link.mass, lambda link, mass: link.set_mass(mass)),
     "inertia": (_links, lambda link: 1.0, lambda link, factor: link.set_mass(link.mass, factor)),
+    "size": (_simple_shapes, lambda collision: np.array(collision.size), _resizer(False)),
+    "noise": (_noises, _deviations, _set_noise),
     "friction": (_collisions, lambda collision: collision.friction[0], _set_friction),
     "restitution": (_collisions, lambda collision: collision.restitution, lambda collision, e: collision.set_restitution(e)),
     "damping": (_joints, lambda joint: joint.axis().damping, lambda joint, damping: joint.set_damping(damping)),

@@ -154,6 +154,8 @@ class Worlds:
 
     def _has_noise(self) -> bool:
         first = self.simulations[0]
+        if any(each.what == "noise" for each in self.task.randomise):
+            return True
         return any(first._find_sensor(name).has_noise for name in first.sensor_names)
 
     def _look_at_memory(self) -> None:
