@@ -7,8 +7,8 @@
 
 namespace pongsim::python {
 
-/// A parameter of a function, as pybind11 describes it: "count: int = 1". A "*", which begins those that go by name only,
-/// is one without a type.
+/// A parameter of a function, as pybind11 describes it: "count: int = 1". A "*", which begins those that go by name
+/// only, is one without a type.
 struct Parameter {
   std::string name;
   std::string type = {};
