@@ -201,9 +201,8 @@ void bindSensors(py::module_& module) {
       .def("message", [](const Stream& self, py::handle type) {
         return messageAs(type, self.use().type, std::as_bytes(std::span(self.message)));
       });
-  py::class_<PySensor> sensor(module, "Sensor", "A sensor of a running world.");
-  sensor
-      .def_property_readonly(
+  py::class_<PySensor> type(module, "Sensor", "A sensor of a running world.");
+  type.def_property_readonly(
           "exists", [](PySensor& self) { return !self.life->isClosed() && self.use().exists(); },
           "Whether it is still there.")
       .def_property_readonly(
@@ -264,7 +263,7 @@ void bindSensors(py::module_& module) {
           },
           py::arg("kind"), "Readings of one kind; the first call switches them on.")
       .def("stop", &PySensor::stop, py::arg("kind"), "Switches readings of one kind off.");
-  bindNoise(sensor);
+  bindNoise(type);
 }
 
 }  // namespace pongsim::python
