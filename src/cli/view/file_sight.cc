@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -6,6 +7,7 @@
 #include "cli/files/diagnostic_report.hh"
 #include "cli/files/world_file.hh"
 #include "cli/view/view_command.hh"
+#include "pongsim/actor.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim::cli {
@@ -15,7 +17,7 @@ namespace {
 class FileSight final : public Sight {
  public:
   explicit FileSight(std::unique_ptr<Simulation> simulation)
-      : simulation_(std::move(simulation)), scene_(simulation_->world()) {
+      : simulation_(std::move(simulation)), scene_(simulation_->world()), start_(simulation_->time()) {
     Diagnostics found;
     scene_.rebuild(found);
     say(found, Severity::kWarning, Severity::kError);
@@ -35,11 +37,33 @@ class FileSight final : public Sight {
     return model ? scene_.bounds(model) : scene_.actorBounds(name);
   }
 
-  void draw(const PictureView& view, std::span<std::uint8_t> pixels) override { scene_.drawColors(view, pixels); }
+  std::optional<Vector3> position(const std::string& name) override {
+    if (const std::optional<Model> model = simulation_->world().model(name)) return model->pose().position;
+    const std::optional<Actor> actor = Actor::find(simulation_->world(), name);
+    return actor ? std::optional(actor->pose().position) : std::nullopt;
+  }
+
+  std::optional<Time> advance(Time time) override {
+    const Time left = start_ + time - simulation_->time(), step = simulation_->stepSize();
+    if (left > Time(0)) simulation_->step(static_cast<std::uint64_t>((left + step - Time(1)) / step));
+    scene_.update();
+    return std::max(time, simulation_->time() - start_);
+  }
+
+  void drawColors(const PictureView& view, std::span<std::uint8_t> pixels) override { scene_.drawColors(view, pixels); }
+  void drawDepths(const PictureView& view, std::span<float> depths) override { scene_.drawDepths(view, depths); }
+  void drawTemperatures(const PictureView& view, std::span<float> temperatures) override {
+    scene_.drawTemperatures(view, temperatures);
+  }
+  void drawNumbers(const PictureView& view, std::span<std::uint32_t> numbers) override {
+    scene_.drawNumbers(view, numbers);
+  }
+  std::span<const SeenVisual> visuals() override { return scene_.visuals(); }
 
  private:
   std::unique_ptr<Simulation> simulation_;
   CameraScene scene_;
+  Time start_;
 };
 
 }  // namespace

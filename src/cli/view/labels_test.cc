@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/view/small_font.hh"
+#include "support/cli/still_sight.hh"
 
 namespace pongsim::cli {
 namespace {
@@ -75,7 +76,7 @@ TEST(Labels, HaveOneSignForEachLetterBeyondAscii) {
 }
 
 /// Boxes with names.
-class NamedBoxes final : public Sight {
+class NamedBoxes final : public test::StillSight {
  public:
   explicit NamedBoxes(std::map<std::string, Eigen::AlignedBox3d> boxes) : boxes_(std::move(boxes)) {}
   std::vector<std::string> names() override {
@@ -84,7 +85,6 @@ class NamedBoxes final : public Sight {
     return names;
   }
   Eigen::AlignedBox3d bounds(const std::string& name) override { return boxes_.at(name); }
-  void draw(const PictureView&, std::span<std::uint8_t>) override {}
 
  private:
   std::map<std::string, Eigen::AlignedBox3d> boxes_;

@@ -18,8 +18,8 @@
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
 #include "cli/options/secure_option.hh"
-#include "cli/view/labels.hh"
 #include "cli/view/picture_plot.hh"
+#include "cli/view/record_video.hh"
 #include "cli/view/shrink.hh"
 #include "cli/view/sixel.hh"
 #include "cli/view/sixel_terminal.hh"
@@ -37,6 +37,8 @@ namespace {
 
 constexpr double kFieldOfView = std::numbers::pi / 3;
 constexpr std::uint64_t kLongestViewEdge = 8192;
+/// [s]
+constexpr double kLongestVideo = 86'400;
 /// Maximum edge length that terminals show; xterm's default.
 constexpr int kMostSixels = 1000;
 /// Time for a terminal to report its features.
@@ -67,23 +69,30 @@ PictureView pinhole(const ViewOptions& options) {
   return view;
 }
 
+/// @return The exit code, if there is no model or actor with that name.
+std::optional<int> checkName(Sight& sight, const std::string& name, const std::string& advice) {
+  const std::vector<std::string> names = sight.names();
+  if (std::ranges::find(names, name) != names.end()) return std::nullopt;
+  const std::string hint = base::didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
+  return fail("there is no model or actor '" + name + "' to look at", hint.empty() ? advice : hint);
+}
+
 /// Places the camera as the options say.
 /// @return The exit code, if that is not possible.
-std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView& view) {
-  const std::optional<Pose> pose = readViewpoint(camera);
-  if (pose) {
+std::optional<int> placeEye(Sight& sight, const ViewOptions& options, PictureView& view) {
+  if (!options.follow.empty()) {
+    if (const auto code = checkName(sight, options.follow, "--follow takes the name of a model or an actor"))
+      return code;
+  }
+  if (const std::optional<Pose> pose = readViewpoint(options.camera)) {
     view.X_WorldEye = *pose;
     return std::nullopt;
   }
-  if (!camera.empty()) {
-    const std::vector<std::string> names = sight.names();
-    if (std::ranges::find(names, camera) == names.end()) {
-      std::string hint = base::didYouMean(camera, std::vector<std::string_view>(names.begin(), names.end()));
-      if (hint.empty()) hint = "--camera takes the name of a model or an actor, or 'x y z roll pitch yaw'";
-      return fail("there is no model or actor '" + camera + "' to look at", hint);
-    }
+  if (!options.camera.empty()) {
+    constexpr const char* kAdvice = "--camera takes the name of a model or an actor, or 'x y z roll pitch yaw'";
+    if (const auto code = checkName(sight, options.camera, kAdvice)) return code;
   }
-  Eigen::AlignedBox3d box = sight.bounds(camera);
+  Eigen::AlignedBox3d box = sight.bounds(options.camera.empty() ? options.follow : options.camera);
   if (box.isEmpty()) box = {Vector3(-1, -1, 0), Vector3(1, 1, 1)};
   lookAt(box, view);
   return std::nullopt;
@@ -122,18 +131,49 @@ int viewWorld(const ViewOptions& options) {
   const std::unique_ptr<Sight> sight = options.file.empty() ? sightOfRunningWorld(options) : sightOfFile(options);
   if (sight == nullptr) return kFailed;
   PictureView view = pinhole(options);
-  if (const auto code = placeEye(*sight, options.camera, view)) return *code;
+  if (const auto code = placeEye(*sight, options, view)) return *code;
+  if (!options.video.empty()) return recordVideo(options, *sight, view);
   std::vector<std::uint8_t> pixels(std::size_t{3} * options.width * options.height);
-  sight->draw(view, pixels);
-  if (options.names) drawLabels(labelsOf(*sight, view), options.width, options.height, pixels);
+  Painter painter(options.kind);
+  drawPicture(options, *sight, view, painter, pixels);
+  if (const std::string legend = painter.legend(); !legend.empty()) say(legend);
   return show(options, pixels);
 }
 
 /// Options given for a file or for a running world.
 struct ViewSource {
-  std::optional<std::string> file, at, world, timeout;
+  std::optional<std::string> file, at, world, timeout, length;
   bool offline = false;
+  bool depth = false, thermal = false, labels = false;
 };
+
+/// Sets what the picture shows, and whether it is a video.
+void readKind(const ViewSource& given, ViewOptions& options) {
+  if (given.depth + given.thermal + given.labels > 1) {
+    throw UsageError("options '--depth', '--thermal' and '--labels' can't be combined", "draw one picture of each");
+  }
+  if (given.depth) options.kind = PictureKind::kDepths;
+  if (given.thermal) options.kind = PictureKind::kTemperatures;
+  if (given.labels) options.kind = PictureKind::kLabels;
+  if (!given.file && (given.thermal || given.labels)) {
+    throw UsageError(std::string("option '") + (given.thermal ? "--thermal" : "--labels") + "' can't be used here",
+                     "use it with a world file: a running world does not tell temperatures and labels");
+  }
+  const bool isForVideo = given.length || !options.follow.empty() || options.orbits;
+  if (isForVideo && options.video.empty()) {
+    throw UsageError("options '--for', '--follow' and '--orbit' are for videos", "add --video FILE.mp4");
+  }
+  if (!options.video.empty() && (options.terminal || options.sixel || !options.output.empty())) {
+    throw UsageError("option '--video' can't be combined with '-o', '--terminal' and '--sixel'");
+  }
+  if (options.width < 2 || options.height < 2) {
+    if (!options.video.empty()) throw UsageError("a video has at least 2 x 2 pixels");
+  }
+  if (!given.length) return;
+  const double seconds = numberFromZero("--for", *given.length, "a number of seconds");
+  if (seconds > kLongestVideo) throw UsageError("option '--for' takes at most a day, 86400 seconds");
+  options.length = fromSeconds(seconds);
+}
 
 /// Sets the source of what to draw.
 void readSource(const ViewSource& given, ViewOptions& options) {
@@ -191,6 +231,21 @@ void addViewCommand(CLI::App& program, Work& work) {
   addFlag("--grid", options->grid, "Draw a grid on the ground, with lines 1 m apart");
   addFlag("--axes", options->axes, "Draw the world's axes, 1 m long: x red, y green, z blue");
   addFlag("--names", options->names, "Write the names of models and actors over them");
+  addFlag("--depth", source->depth, "Draw distances: the nearest is white, half as bright is twice as far");
+  addFlag("--thermal", source->thermal, "For a file: draw temperatures, from black, the coldest, to white");
+  addFlag("--labels", source->labels, "For a file: draw labels (system label), each in a colour");
+  add("--video", "FILE",
+      "Video file to write instead of a picture: .mp4 (H.264), .avi or .ogv. Needs the package\n"
+      "pongsim-video",
+      [options](const std::string& text) {
+        if (text.empty()) throw UsageError("option '--video' needs a file");
+        options->video = text;
+      });
+  addSource("--for", "S", "Length of the video (10), in simulated seconds of a file or real ones of a running world",
+            source->length);
+  add("--follow", "MODEL", "Move the video's camera with a model or actor",
+      [options](const std::string& text) { options->follow = text; });
+  addFlag("--orbit", options->orbits, "Move the video's camera once around what it looks at");
   addFlag("--terminal", options->terminal,
           "Draw into the terminal: with sixels if it supports them, otherwise with blocks\n"
           "of 24-bit colour");
@@ -203,11 +258,13 @@ void addViewCommand(CLI::App& program, Work& work) {
       "  pongsim view worlds/pong_world.sdf -o court.png\n"
       "  pongsim view worlds/pong_world.sdf --at 2 --camera pong_bot --size 640x480\n"
       "  pongsim view worlds/pong_world.sdf --camera '-6 -4 3 0 0.4 0.6' --grid --terminal\n"
+      "  pongsim view worlds/pong_world.sdf --video court.mp4 --for 5 --orbit\n"
       "  pongsim view --names -o now.png\n"
       "  pongsim view -w pong_world --camera pong_bot --terminal");
   command->callback([options, source, offline, &work] {
     source->offline = offline->count() > 0;
     readSource(*source, *options);
+    readKind(*source, *options);
     work = [options] { return viewWorld(*options); };
   });
 }

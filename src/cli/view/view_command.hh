@@ -9,6 +9,9 @@
 
 namespace pongsim::cli {
 
+/// What a picture shows.
+enum class PictureKind { kColors, kDepths, kTemperatures, kLabels };
+
 struct ViewOptions {
   /// File of the world; empty: draw a running one.
   std::string file;
@@ -20,6 +23,15 @@ struct ViewOptions {
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
   std::string camera;
   std::string output;
+  /// Video file to write; empty: draw one picture.
+  std::string video;
+  /// Of the video.
+  Time length = std::chrono::seconds(10);
+  /// What the camera moves with; empty: nothing.
+  std::string follow;
+  /// Whether the camera turns around what it looks at, once in the video.
+  bool orbits = false;
+  PictureKind kind = PictureKind::kColors;
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   bool grid = false;

@@ -7,12 +7,14 @@
 #include <ignition/msgs/scene.pb.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -55,6 +57,11 @@ class FileSearch {
   const assets::Finder find_ = assets::finderIn(assets::Places::fromEnvironment());
   std::set<std::string> said_;
 };
+
+/// Components that decide what an entity looks like.
+constexpr std::array kLooks{"Name",          "ParentEntity",    "Pose",       "Scene",    "Visual",   "CastShadows",
+                            "Transparency",  "VisibilityFlags", "LaserRetro", "Geometry", "Material", "Actor",
+                            "TrajectoryPose"};
 
 class VisibleWorldReader {
  public:
@@ -209,6 +216,22 @@ class VisibleWorldReader {
 
 description::World visibleWorld(const Message& step, Diagnostics& diagnostics) {
   return VisibleWorldReader(static_cast<const im::SerializedStepMap&>(step).state(), diagnostics).read();
+}
+
+bool haveSameLooks(const Message& a, const Message& b) {
+  const auto& before = static_cast<const im::SerializedStepMap&>(a).state().entities();
+  const auto& after = static_cast<const im::SerializedStepMap&>(b).state().entities();
+  if (before.size() != after.size()) return false;
+  return std::ranges::all_of(before, [&after](const auto& entry) {
+    const auto other = after.find(entry.first);
+    if (other == after.end()) return false;
+    const ComponentReader one(entry.second), two(other->second);
+    return std::ranges::all_of(kLooks, [&](const char* component) {
+      const bool moves = component == std::string_view("Pose") && !one.has("Visual") && !one.has("Actor");
+      const std::string *const x = one.find(component), *const y = two.find(component);
+      return moves || (x == nullptr || y == nullptr ? x == y : *x == *y);
+    });
+  });
 }
 
 }  // namespace pongsim::msgs

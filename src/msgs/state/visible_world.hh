@@ -13,4 +13,8 @@ namespace pongsim::msgs {
 /// searched under the path in the state, and where worlds find their files.
 description::World visibleWorld(const Message& step, Diagnostics& diagnostics);
 
+/// @param a, b As above.
+/// @return Whether their visible worlds differ in the poses of models and links and in lights only.
+bool haveSameLooks(const Message& a, const Message& b);
+
 }  // namespace pongsim::msgs

@@ -67,6 +67,31 @@ TEST(VisibleWorld, IsThatOfTheState) {
   }
 }
 
+TEST(VisibleWorld, LooksTheSameWhereOnlyLinksHaveMoved) {
+  const auto stepOf = [](const description::World& world, const Vector3& position) {
+    const world::Entities entities(world);
+    world::State state(entities);
+    state.links[entities.findLink("cart::base")].X_WorldLink.position = position;
+    ignition::msgs::SerializedStepMap step;
+    setState(entities, state, StateContent::kAll, false, step);
+    return step;
+  };
+  const description::World world = test::cartWorld();
+  const ignition::msgs::SerializedStepMap step = stepOf(world, {1, 2, 3});
+  EXPECT_TRUE(haveSameLooks(step, step));
+  EXPECT_TRUE(haveSameLooks(step, stepOf(world, {3, 2, 1})));
+
+  description::World other = world;
+  other.models[1].links[0].visuals[0].transparency = 0.25;
+  EXPECT_FALSE(haveSameLooks(step, stepOf(other, {1, 2, 3})));
+  other = world;
+  other.models[1].links[0].visuals[0].X_LinkVisual.position.x() += 1;
+  EXPECT_FALSE(haveSameLooks(step, stepOf(other, {1, 2, 3})));
+  other = world;
+  other.models.erase(other.models.begin());
+  EXPECT_FALSE(haveSameLooks(step, stepOf(other, {1, 2, 3})));
+}
+
 TEST(VisibleWorld, FindsTheFilesOfMeshesAndTextures) {
   const test::TempFolder folder;
   description::World world = test::cartWorld();

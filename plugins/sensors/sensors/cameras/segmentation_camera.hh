@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "camera_body.hh"
-#include "label_colors.hh"
+#include "pongsim/sensing/label_colors.hh"
 #include "pongsim/bulk.hh"
 #include "pongsim/node.hh"
 #include "pongsim/sensing/sensor_system.hh"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "label_colors.hh"
+#include "pongsim/sensing/label_colors.hh"
 #include "support/camera_world.hh"
 #include "support/temp_folder.hh"
 

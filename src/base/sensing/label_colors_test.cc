@@ -1,4 +1,4 @@
-#include "label_colors.hh"
+#include "pongsim/sensing/label_colors.hh"
 
 #include <gtest/gtest.h>
 
