@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "camera_body.hh"
-#include "pongsim/sensing/label_colors.hh"
 #include "pongsim/bulk.hh"
 #include "pongsim/node.hh"
+#include "pongsim/sensing/label_colors.hh"
 #include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
