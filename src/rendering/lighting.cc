@@ -105,7 +105,7 @@ void addFog(const description::Fog& fog, Lighting& lighting) {
 
 void addLamp(const Lamp& lamp, const PictureView& view, const std::optional<Region>& region, int shadowEdge,
              LampBlock::Lamp& to, Lighting& lighting) {
-  const Light& light = *lamp.light;
+  const Light& light = lamp.light;
   const Vector3& eye = view.X_WorldEye.position;
   const Vector3 place = lamp.X_WorldLight.position - eye;
   const Vector3 direction = lamp.X_WorldLight.rotation * light.direction;

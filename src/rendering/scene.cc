@@ -294,7 +294,7 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
     const description::Light& light = *record.description;
     if (!light.isOn || light.intensity <= 0) continue;
     const Pose X_WorldParent = record.link == world::kNoSlot ? Pose() : state.links[record.link].X_WorldLink;
-    lamps_.push_back({&light, X_WorldParent * light.X_ParentLight});
+    lamps_.push_back({light, X_WorldParent * light.X_ParentLight});
   }
 }
 

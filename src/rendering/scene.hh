@@ -77,7 +77,8 @@ struct Item {
 
 /// A placed light.
 struct Lamp {
-  const description::Light* light = nullptr;
+  /// A copy, so that a scene can be drawn while another thread changes the world.
+  description::Light light;
   Pose X_WorldLight;
 };
 

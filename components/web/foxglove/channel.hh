@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "web/server/session.hh"
 
 namespace pongsim::web::foxglove {
@@ -28,6 +30,8 @@ struct Channel {
   const void* source = nullptr;
   /// Sends messages to the client under this key, until the result is destroyed.
   std::function<std::shared_ptr<void>(const std::shared_ptr<Client>& client, std::uint64_t key, Head head)> open;
+  /// See `OwnChannel::ask`; empty for channels that send by themselves.
+  std::function<std::string(const std::shared_ptr<void>& opened, const nlohmann::json& wish)> ask = {};
 
   bool isSame(const Channel& other) const {
     return topic == other.topic && encoding == other.encoding && schemaName == other.schemaName &&
@@ -38,7 +42,7 @@ struct Channel {
 /// @return A channel with protobuf messages, without `open`.
 inline Channel protobufChannel(std::string topic, std::string schemaName, std::shared_ptr<const std::string> schema,
                                const void* source) {
-  return {std::move(topic), "protobuf", std::move(schemaName), "protobuf", std::move(schema), source, {}};
+  return {std::move(topic), "protobuf", std::move(schemaName), "protobuf", std::move(schema), source, {}, {}};
 }
 
 }  // namespace pongsim::web::foxglove

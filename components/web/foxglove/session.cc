@@ -74,6 +74,7 @@ Channel channelOf(const std::shared_ptr<OwnChannel>& channel) {
   result.open = [channel](const std::shared_ptr<Client>& client, std::uint64_t key, Head head) {
     return channel->open(client, key, std::move(head));
   };
+  result.ask = [channel](const std::shared_ptr<void>& opened, const json& wish) { return channel->ask(opened, wish); };
   return result;
 }
 
@@ -152,6 +153,11 @@ void FoxgloveSession::text(std::string_view text) {
   if (*operation == "unadvertise") {
     const auto end = [this](std::uint32_t id) { return publications_.close(id); };
     return each(message, "channelIds", withId(end, "channel"));
+  }
+  if (*operation == "ask") {
+    const auto ask = [this, &message](std::uint32_t id) { return report_->subscriptions.ask(id, message); };
+    const std::string wrong = withId(ask, "subscription")(message.value("subscriptionId", json()));
+    return wrong.empty() ? void() : sendError(wrong);
   }
   if (*operation == "fetchAsset") return fetchAsset(message);
   if (const auto handle = parameterOperation(*operation)) {

@@ -83,6 +83,15 @@ std::string Subscriptions::unsubscribe(std::uint32_t subscription) {
   return {};
 }
 
+std::string Subscriptions::ask(std::uint32_t subscription, const json& wish) {
+  const auto found = subscriptions_.find(subscription);
+  // its channel may have been removed while the request was on its way
+  if (found == subscriptions_.end()) return "there is no subscription " + std::to_string(subscription);
+  const Channel& channel = channels_.at(found->second.channel);
+  if (!channel.ask) return "'" + channel.topic + "' sends by itself";
+  return channel.ask(found->second.open, wish);
+}
+
 void Subscriptions::end(std::map<std::uint32_t, Subscription>::iterator subscription) {
   subscription->second.open.reset();
   client_->forget(subscription->first);

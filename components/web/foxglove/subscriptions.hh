@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "web/foxglove/channel.hh"
 #include "web/server/session.hh"
 
@@ -24,6 +26,8 @@ class Subscriptions {
   /// @return What is wrong, as a sentence without a full stop, or an empty text.
   std::string subscribe(std::uint32_t subscription, std::uint32_t channel);
   std::string unsubscribe(std::uint32_t subscription);
+  /// Passes on what the client wants of a subscription (`OwnChannel::ask`).
+  std::string ask(std::uint32_t subscription, const nlohmann::json& wish);
 
  private:
   struct Subscription {

@@ -85,5 +85,21 @@ TEST_F(ChannelsTest, SaysWhatCannotBe) {
   EXPECT_EQ(channels_.unsubscribe(5), "there is no subscription 5");
 }
 
+TEST_F(ChannelsTest, PassesOnWhatTheClientAsksFor) {
+  Channel asked = channel("/a");
+  json heard;
+  asked.ask = [&](const std::shared_ptr<void>& opened, const json& wish) {
+    heard = wish;
+    return std::string(opened ? "" : "it is not open");
+  };
+  channels_.follow({asked, channel("/b")});
+  channels_.subscribe(1, 1);
+  channels_.subscribe(2, 2);
+  EXPECT_EQ(channels_.ask(1, {{"width", 3}}), "");
+  EXPECT_EQ(heard, (json{{"width", 3}}));
+  EXPECT_EQ(channels_.ask(2, {}), "'/b' sends by itself");
+  EXPECT_EQ(channels_.ask(3, {}), "there is no subscription 3");
+}
+
 }  // namespace
 }  // namespace pongsim::web::foxglove

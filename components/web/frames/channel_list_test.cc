@@ -17,6 +17,7 @@ class NamedChannel final : public OwnChannel {
                              std::function<std::string(std::uint64_t)>) override {
     return nullptr;
   }
+  std::string ask(const std::shared_ptr<void>&, const nlohmann::json&) override { return {}; }
 
  private:
   std::string name_;

@@ -38,6 +38,7 @@ class PoseChannel final : public OwnChannel, public Callee, public std::enable_s
   std::string schemaName() const override { return "pongsim.Frame"; }
   std::shared_ptr<void> open(const std::shared_ptr<Client>& client, std::uint64_t key,
                              std::function<std::string(std::uint64_t timeNs)> head) override;
+  std::string ask(const std::shared_ptr<void>&, const nlohmann::json&) override { return "poses come by themselves"; }
 
   // For the simulation's thread.
 

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace pongsim::web {
 
 /// Bytes shared by several clients. Copies refer to the same bytes.
@@ -145,6 +147,10 @@ class OwnChannel {
   /// @param head Creates the protocol's header of a frame with this simulated time [ns].
   virtual std::shared_ptr<void> open(const std::shared_ptr<Client>& client, std::uint64_t key,
                                      std::function<std::string(std::uint64_t timeNs)> head) = 0;
+  /// The client asks for the next message of a subscription, and says what it wants.
+  /// @param opened The result of `open`.
+  /// @return What is wrong, as a sentence without a full stop, or an empty text.
+  virtual std::string ask(const std::shared_ptr<void>& opened, const nlohmann::json& wish) = 0;
 };
 
 /// The current own channels of all worlds. For any thread.

@@ -19,6 +19,7 @@
 #include "pongsim/world_edits.hh"
 #include "web/assets/world_files.hh"
 #include "web/frames/pose_feed.hh"
+#include "web/pictures/picture_channel.hh"
 #include "web/system/hub.hh"
 #include "web/system/parameters.hh"
 #include "web/world/relay.hh"
@@ -57,6 +58,10 @@ class Web final : public System {
     feed_.reset();
     if (!hub_) return;
     if (channel_) hub_->channels().remove(*channel_);
+    if (pictures_) {
+      hub_->channels().remove(*pictures_);
+      pictures_->end();
+    }
     hub_->assets().remove(this);
     relay_.reset();
   }
@@ -86,8 +91,11 @@ class Web final : public System {
     ownIds_.insert(ids.begin(), ids.end());
     folders_ = foldersOfModels(context);
     const std::string name(context.world.name());
-    channel_ = std::make_shared<PoseChannel>(name, [waking = context.node]() mutable { waking.wake(); });
+    const auto wake = [waking = context.node]() mutable { waking.wake(); };
+    channel_ = std::make_shared<PoseChannel>(name, wake);
+    pictures_ = std::make_shared<PictureChannel>(name, wake);
     hub_->channels().add(channel_);
+    hub_->channels().add(pictures_);
     feed_.emplace(context.world, channel_);
     relay_.emplace(hub_->worlds(), name, context.node, context.log);
     mustAnnounce_ = hub_.use_count() == 1;
@@ -103,7 +111,9 @@ class Web final : public System {
   }
 
   void postUpdate(const StepInfo& step) override {
-    if (feed_) feed_->update(step);
+    if (!feed_) return;
+    feed_->update(step);
+    pictures_->update(*world_, step);
   }
 
   void worldChanged() override {
@@ -148,6 +158,7 @@ class Web final : public System {
   std::shared_ptr<Hub> hub_;
   std::optional<World> world_;
   std::shared_ptr<PoseChannel> channel_;
+  std::shared_ptr<PictureChannel> pictures_;
   std::optional<PoseFeed> feed_;
   std::optional<Relay> relay_;
   /// Duration of the last step [s].

@@ -48,7 +48,7 @@ VisiblePart Appearance::part(std::size_t index) const {
 std::vector<VisibleLight> Appearance::lights() const {
   std::vector<VisibleLight> lights;
   for (const rendering::Lamp& lamp : content_->scene.lamps()) {
-    const description::Light& light = *lamp.light;
+    const description::Light& light = lamp.light;
     const auto type = light.type == description::LightType::kPoint         ? VisibleLight::Type::kPoint
                       : light.type == description::LightType::kDirectional ? VisibleLight::Type::kDirectional
                                                                            : VisibleLight::Type::kSpot;

@@ -25,6 +25,9 @@ class RecordedOwnChannel final : public OwnChannel {
     client->sendWhenFree(key, [head] { return Frame{head(1), Payload("frame")}; });
     return std::make_shared<int>(0);
   }
+  std::string ask(const std::shared_ptr<void>& opened, const nlohmann::json& wish) override {
+    return opened ? wish.value("wrong", "") : "it is not open";
+  }
 };
 
 class RecordedOwnChannels final : public OwnChannels {

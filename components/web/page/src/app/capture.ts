@@ -5,9 +5,10 @@ import { download } from './dom.ts';
 const stamp = (): string => new Date().toISOString().slice(0, 19).replaceAll(':', '-');
 
 export async function saveScreenshot(context: Context): Promise<void> {
-  const { view, world, log } = context;
-  if (!view) return log.add('info', 'There is no view to take a picture of');
-  await context.attempt('Screenshot', view.screenshot().then((picture) => download(`${world.name}-${stamp()}.png`, picture)));
+  const { view, stream, world, log } = context;
+  const sight = view ?? stream;
+  if (!sight) return log.add('info', 'There is no view to take a picture of');
+  await context.attempt('Screenshot', sight.screenshot().then((picture) => download(`${world.name}-${stamp()}.png`, picture)));
 }
 
 /// Starts or stops recording a video.

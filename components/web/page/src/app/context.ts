@@ -2,7 +2,7 @@
 import type { Connection } from '../connection/connection.ts';
 import { Emitter } from '../connection/emitter.ts';
 import type { World } from '../connection/world.ts';
-import type { View } from '../view/index.ts';
+import type { StreamedView, View } from '../view/index.ts';
 import type { History } from './history.ts';
 import type { MessageLog } from './message_log.ts';
 
@@ -23,6 +23,8 @@ export interface Context {
   world: World;
   /// Null if the browser has no 3D graphics.
   view: View | null;
+  /// Shows pictures of the server instead; null if there is a view.
+  stream: StreamedView | null;
   selection: Selection;
   /// What the user has changed.
   history: History;

@@ -20,6 +20,7 @@ test('an address carries the state', () => {
   assert.match(address, /^#world=my\+world&view=-6%2C0\.5%2C6%2C0%2C0\.5%2C0&panels=/);
   assert.deepEqual(readAddress(address), state);
   assert.deepEqual(readAddress(''), {});
+  assert.deepEqual(readAddress(writeAddress({ world: 'w', isDrawnByServer: true })), { world: 'w', isDrawnByServer: true });
 });
 
 test('what an address has no right to say is left out', () => {

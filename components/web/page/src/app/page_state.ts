@@ -24,6 +24,8 @@ export interface PageState {
   world?: string;
   view?: Sixfold;
   layout?: LayoutState;
+  /// Whether the server shall draw the world although the browser could.
+  isDrawnByServer?: boolean;
 }
 
 export const kDockPlaces: readonly Dock[] = ['left', 'right', 'bottom', 'corner-left', 'corner-right'];
@@ -37,13 +39,14 @@ export function readAddress(address: string): PageState {
   const values = new URLSearchParams(address.replace(/^#/, ''));
   const view = parseSixfold((values.get('view') ?? '').replaceAll(',', ' '));
   const layout = parseLayout(values.get('panels') ?? '');
-  return { ...(values.get('world') && { world: values.get('world')! }), ...(view && { view }), ...(layout && { layout }) };
+  return { ...(values.get('world') && { world: values.get('world')! }), ...(view && { view }), ...(layout && { layout }), ...(values.get('picture') === 'server' && { isDrawnByServer: true }) };
 }
 
-export function writeAddress({ world, view, layout }: PageState): string {
+export function writeAddress({ world, view, layout, isDrawnByServer }: PageState): string {
   const values = new URLSearchParams();
   if (world) values.set('world', world);
   if (view) values.set('view', view.map((number) => String(Number(number.toFixed(3)))).join(','));
+  if (isDrawnByServer) values.set('picture', 'server');
   if (layout) values.set('panels', JSON.stringify(layout));
   return `#${values}`;
 }

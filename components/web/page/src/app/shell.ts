@@ -4,7 +4,7 @@ import type { Sixfold } from '../connection/poses.ts';
 import { quaternionOf, rollPitchYawOf } from '../connection/poses.ts';
 import type { Message } from '../connection/types.ts';
 import { World } from '../connection/world.ts';
-import { View, type Pose } from '../view/index.ts';
+import { StreamedView, View, type Pose } from '../view/index.ts';
 import { Ends, Selection, settingsOf, type Context } from './context.ts';
 import { h } from './dom.ts';
 import { move } from './edits.ts';
@@ -42,6 +42,7 @@ export class Shell {
       connection, world, selection, log,
       history: new History(),
       view: null,
+      stream: null,
       attempt: async (what, work) => {
         try {
           await work;
@@ -54,6 +55,7 @@ export class Shell {
       choosePlace: (message, hint) => this.choosePlace(message, hint),
     };
     this.context.view = this.makeView();
+    if (!this.context.view) this.context.stream = this.makeStream();
     this.ends.add(world.restarted.on(() => this.context.history.clear()));
     this.ends.add(connection.infoReceived.on(() => this.layout.setReadOnly(connection.isReadOnly)));
     this.layout.setReadOnly(connection.isReadOnly);
@@ -68,6 +70,7 @@ export class Shell {
     this.ends.end();
     this.layout.closeAll();
     this.context.view?.dispose();
+    this.context.stream?.dispose();
     this.context.world.end();
   }
 
@@ -80,11 +83,7 @@ export class Shell {
     const { stage } = this.layout;
     stage.append(this.nothing);
     const { connection, world, selection, log } = this.context;
-    if (!View.supported()) {
-      stage.append(h('p', { class: 'no-view', role: 'status' },
-        'This browser has no WebGL 2 or it is switched off: everything works but the 3D view.'));
-      return null;
-    }
+    if (readAddress(location.hash).isDrawnByServer || !View.supported()) return null;
     return new View(stage, {
       asset: (address) => connection.asset(address),
       onPick: (entity) => selection.set(entity),
@@ -102,6 +101,23 @@ export class Shell {
       onCamera: () => this.noteState(),
       onProblem: (text) => log.add('warning', text),
     });
+  }
+
+  /// Shows pictures that the server draws.
+  private makeStream(): StreamedView {
+    const { connection, world, log } = this.context;
+    const topic = world.path('picture');
+    const why = h('p', { class: 'no-view', role: 'status' }, View.supported() ? 'The server draws the world'
+      : 'This browser has no WebGL 2 or it is switched off: the server draws the world');
+    const stream = new StreamedView(this.layout.stage, {
+      ask: (wish) => connection.ask(topic, { ...wish }),
+      onCamera: () => this.noteState(),
+      onProblem: (text) => log.add('warning', `The server can't draw the world: ${text}`),
+    });
+    this.layout.stage.append(why);
+    const receive = (picture: Uint8Array): void => void stream.receive(picture).catch((fault: Error) => log.add('error', fault.message));
+    this.ends.add(connection.subscribeBytes(topic, receive), connection.channelsChanged.on(() => stream.again()));
+    return stream;
   }
 
   private connectView(): void {
@@ -123,7 +139,7 @@ export class Shell {
   /// Opens the panels of the address, else those that were open last, else those of the world's `<gui>`, and sets the
   /// initial viewpoint.
   private async openPanels(): Promise<void> {
-    const { world, view } = this.context;
+    const { world } = this.context;
     const message = await world.ask('gui/info').catch(() => null);
     if (this.isEnded) return;
     this.gui = guiSettingsOf(message);
@@ -132,7 +148,7 @@ export class Shell {
     const layout = (isForThis ? wanted.layout : undefined) ?? savedLayout(world.name);
     this.showLayout(layout);
     const camera = (isForThis ? wanted.view : undefined) ?? this.gui.camera;
-    if (camera) view?.setCamera(poseOf(camera));
+    if (camera) this.sight?.setCamera(poseOf(camera));
     this.ends.add(this.layout.changed.on(() => this.noteState()), () => clearTimeout(this.noted));
     await this.noteOpened(layout === null);
     this.isOpen = true;
@@ -169,20 +185,25 @@ export class Shell {
     if (isUsual) this.usual = this.saved;
   }
 
+  /// What has a viewpoint.
+  private get sight(): View | StreamedView | null {
+    return this.context.view ?? this.context.stream;
+  }
+
   /// Saves the layout and puts it and the viewpoint into the address, once nothing has changed for a while.
   private noteState(): void {
     if (!this.isOpen) return;
     clearTimeout(this.noted);
     this.noted = setTimeout(() => {
-      const { world, view } = this.context;
+      const { world, stream } = this.context;
       const layout = this.layout.state;
       const text = JSON.stringify(layout);
       // only what the user has changed is saved, so that a world that asks for others gets them
       if (text !== this.saved) saveLayout(world.name, text === this.usual ? null : layout);
       this.saved = text;
-      const camera = view?.camera();
+      const camera = this.sight?.camera();
       const pose = camera && ([...camera.position, ...rollPitchYawOf(camera.orientation)] as Sixfold);
-      window.history.replaceState(null, '', writeAddress({ world: world.name, ...(pose && { view: pose }), layout }));
+      window.history.replaceState(null, '', writeAddress({ world: world.name, ...(pose && { view: pose }), layout, isDrawnByServer: stream !== null && View.supported() }));
     }, kNoteMs);
   }
 

@@ -12,6 +12,14 @@ interface Shortcut {
   act(context: Context): void;
 }
 
+function lookAtSelection({ view, stream, selection, world }: Context): void {
+  const { id } = selection;
+  if (id === null) return;
+  view?.lookAt(id);
+  const pose = world.poses.get(id);
+  if (pose) stream?.lookAt(pose[0]!, pose[1]!, pose[2]!);
+}
+
 export const kShortcuts: readonly Shortcut[] = [
   { keys: '?', what: 'This page', act: () => showHelp() },
   { keys: 'space', what: 'Play or pause', act: () => document.getElementById('play')?.click() },
@@ -19,8 +27,8 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: 'escape', what: 'Select, and cancel', act: ({ view }) => view?.setTool('select') },
   { keys: 't', what: 'Move the selected model', act: ({ view }) => view?.setTool('move') },
   { keys: 'r', what: 'Rotate it', act: ({ view }) => view?.setTool('turn') },
-  { keys: 'f', what: 'Look at the selection', act: ({ view, selection }) => selection.id !== null && view?.lookAt(selection.id) },
-  { keys: 'h', what: 'Reset the view', act: ({ view }) => view?.lookFrom('home') },
+  { keys: 'f', what: 'Look at the selection', act: lookAtSelection },
+  { keys: 'h', what: 'Reset the view', act: ({ view, stream }) => (view ?? stream)?.lookFrom('home') },
   { keys: 'm', what: 'Measure a distance', act: () => document.getElementById('measure')?.click() },
   { keys: 'delete', what: 'Remove the selected model or light', act: (context) => void removeChosen(context) },
   { keys: 'ctrl+z', what: 'Undo the last change of the world', act: (context) => void undo(context) },

@@ -79,7 +79,7 @@ export function toolbar(context: Context, layout: Layout, ends: Ends, shell: { t
       ['Copy as SDF', () => void copyAsSdf(context)],
       ['Remove', connection.isReadOnly ? null : () => void removeChosen(context)],
     ]),
-    iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context), { disabled: !view }),
+    iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context)),
     film,
     menu('Panels', [...kPanels.map(({ id, title }): Item => [title, () => openPanel(id)]), ['As the world asks for', () => shell.resetLayout()]]),
     iconButton(icon('theme'), 'Dark or light', () => {

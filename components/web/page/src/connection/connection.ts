@@ -124,6 +124,13 @@ export class Connection {
     this.outgoing.publish(topic, type, this.types.encode(type, fields));
   }
 
+  /// Says what is wanted of a topic that sends only on demand. Without a subscription, or while the topic does not exist,
+  /// nothing happens.
+  ask(topic: string, wish: Message): void {
+    const subscription = this.subscriptions.get(topic);
+    if (subscription?.channel) this.send(JSON.stringify({ op: 'ask', subscriptionId: subscription.id, ...wish }));
+  }
+
   publishBytes(topic: string, type: string, payload: Uint8Array): void {
     this.outgoing.publish(topic, type, payload);
   }

@@ -1,7 +1,8 @@
 /// Settings of the 3D view: viewpoint, overlays, the entity to follow.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
-import type { Direction, Overlay } from '../view/index.ts';
+import { readAddress, writeAddress } from '../app/page_state.ts';
+import { View, type Direction, type Overlay } from '../view/index.ts';
 
 const kOverlays: [Overlay, string][] = [
   ['frames', 'Frames'], ['joints', 'Joints'], ['centres', 'Centres of mass'], ['inertia', 'Inertia'],
@@ -9,16 +10,32 @@ const kOverlays: [Overlay, string][] = [
 ];
 const kDirections: Direction[] = ['home', 'front', 'back', 'left', 'right', 'top', 'bottom'];
 
+function box(id: string, name: string, isOn: boolean, set: (on: boolean) => void): HTMLElement {
+  const input = h('input', { type: 'checkbox', id: `show-${id}`, checked: isOn });
+  input.addEventListener('change', () => set(input.checked));
+  return h('div', { class: 'row' }, input, h('label', { for: input.id }, name));
+}
+
+/// Lets the server draw the world, or the browser again: opens the page anew, with the same viewpoint and panels.
+function drawByServer(isOn: boolean): void {
+  const state = readAddress(location.hash);
+  history.replaceState(null, '', writeAddress({ ...state, isDrawnByServer: isOn }));
+  location.reload();
+}
+
 export function openViewSettings(context: Context): Panel {
-  const { view, world, selection, connection } = context;
+  const { view, stream, world, selection, connection } = context;
   const ends = new Ends();
-  if (!view) return { element: h('p', { class: 'hint' }, 'This browser has no WebGL 2') };
+  const sight = view ?? stream;
+  const from = h('div', { class: 'row wrap', role: 'group', 'aria-label': 'Look from' },
+    ...kDirections.map((direction) => h('button', { type: 'button', onclick: () => sight?.lookFrom(direction) }, direction)));
+  const drawn = box('by-server', 'The server draws the picture, for slow links', !view, drawByServer);
+  const grid = box('grid', 'Grid', true, (on) => sight?.setGrid(on));
+  if (!view) {
+    if (!View.supported()) drawn.querySelector('input')!.disabled = true;
+    return { element: h('div', { class: 'view-settings' }, from, grid, drawn, h('p', { class: 'hint' }, 'All else needs the 3D view of the browser')) };
+  }
   const isOnlyChosen = h('input', { type: 'checkbox', id: 'overlay-chosen' });
-  const box = (id: string, name: string, isOn: boolean, set: (on: boolean) => void): HTMLElement => {
-    const input = h('input', { type: 'checkbox', id: `show-${id}`, checked: isOn });
-    input.addEventListener('change', () => set(input.checked));
-    return h('div', { class: 'row' }, input, h('label', { for: input.id }, name));
-  };
   let endContacts = (): void => {};
   const showContacts = (on: boolean): void => {
     endContacts();
@@ -37,7 +54,6 @@ export function openViewSettings(context: Context): Panel {
     view.setOverlay(overlay, on, chosen);
     if (overlay === 'contacts') showContacts(on);
   }));
-  const from = kDirections.map((direction) => h('button', { type: 'button', onclick: () => view.lookFrom(direction) }, direction));
   const top = (): number | null => {
     const entity = world.entities.get(selection.id);
     return entity ? world.entities.topOf(entity).id : null;
@@ -49,10 +65,9 @@ export function openViewSettings(context: Context): Panel {
   });
   ends.add(() => endContacts());
   const element = h('div', { class: 'view-settings' },
-    h('div', { class: 'row wrap', role: 'group', 'aria-label': 'Look from' }, ...from),
-    follow, trail,
-    box('grid', 'Grid', true, (on) => view.setGrid(on)), box('shadows', 'Shadows', true, (on) => view.setShadows(on)),
+    from, follow, trail, grid, box('shadows', 'Shadows', true, (on) => view.setShadows(on)),
     box('as-cameras', 'Light and background as cameras see them', false, (on) => view.setAsCameras(on)),
+    drawn,
     h('div', { class: 'row' }, isOnlyChosen, h('label', { for: isOnlyChosen.id }, 'Show those below only for the selection')),
     ...overlays);
   return { element, close: ends.end };
