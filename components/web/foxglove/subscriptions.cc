@@ -8,6 +8,7 @@
 
 #include "web/foxglove/status.hh"
 #include "web/foxglove/wire.hh"
+#include "web/server/traffic.hh"
 
 namespace pongsim::web::foxglove {
 
@@ -71,6 +72,7 @@ std::string Subscriptions::subscribe(std::uint32_t subscription, std::uint32_t c
   if (std::ranges::any_of(subscriptions_, [&](const auto& each) { return each.second.channel == channel; })) {
     return "channel " + std::to_string(channel) + " already has a subscription";
   }
+  client_->traffic().name(subscription, found->second.topic);
   Head head = [subscription](std::uint64_t timeNs) { return dataHead(subscription, timeNs); };
   subscriptions_[subscription] = {channel, found->second.open(client_, subscription, std::move(head))};
   return {};

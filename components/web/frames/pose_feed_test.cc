@@ -14,6 +14,7 @@
 #include "support/wait_until.hh"
 #include "web/server/client_queue.hh"
 #include "web/server/limits.hh"
+#include "web/server/traffic.hh"
 
 namespace pongsim::web {
 namespace {
@@ -34,6 +35,7 @@ class FreeClient final : public Client {
   void close(std::uint16_t, std::string) override {}
   bool mayWrite() const override { return true; }
   std::uint64_t dropped() const override { return 0; }
+  ClientTraffic& traffic() override { return traffic_; }
 
   std::optional<Frame> take() {
     auto item = queue_.take();
@@ -41,6 +43,7 @@ class FreeClient final : public Client {
   }
 
  private:
+  ClientTraffic traffic_{1, "127.0.0.1", "test"};
   ServerLimits limits_;
   ClientQueue queue_{limits_};
 };

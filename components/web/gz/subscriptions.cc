@@ -7,6 +7,7 @@
 #include "pongsim/node.hh"
 #include "web/gz/frame.hh"
 #include "web/gz/picture.hh"
+#include "web/server/traffic.hh"
 #include "web/world/queue_depth.hh"
 
 namespace pongsim::web::gz {
@@ -30,6 +31,7 @@ std::string Subscriptions::add(std::string_view topic, bool asPicture) {
   }
   TopicSubscription subscription;
   subscription.key = nextKey_++;
+  client_->traffic().name(subscription.key, name);
   subscription.asPicture = asPicture;
   const auto rate = rates_.find(name);
   const double wanted = rate == rates_.end() ? settings_.publicationHz : rate->second;

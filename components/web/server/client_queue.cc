@@ -15,11 +15,11 @@ bool ClientQueue::add(Item item) {
 }
 
 void ClientQueue::addData(std::uint64_t key, std::size_t most, Frame frame) {
-  addToKey(key, most, {.frame = std::move(frame), .make = {}});
+  addToKey(key, most, {.frame = std::move(frame), .make = {}, .key = key});
 }
 
 void ClientQueue::addMaker(std::uint64_t key, std::function<Frame()> make) {
-  addToKey(key, 1, {.frame = {}, .make = std::move(make)});
+  addToKey(key, 1, {.frame = {}, .make = std::move(make), .key = key});
 }
 
 void ClientQueue::addToKey(std::uint64_t key, std::size_t most, Data data) {
@@ -98,7 +98,7 @@ std::optional<ClientQueue::Item> ClientQueue::take() {
   while (std::optional<Data> data = takeData()) {
     // without the lock, because `make` may take long
     if (data->make) data->frame = data->make();
-    if (data->frame.size() > 0) return Item{.isText = false, .frame = std::move(data->frame)};
+    if (data->frame.size() > 0) return Item{.isText = false, .frame = std::move(data->frame), .key = data->key};
   }
   return std::nullopt;
 }

@@ -23,6 +23,8 @@ class ClientQueue {
   struct Item {
     bool isText = false;
     Frame frame;
+    /// Of data.
+    std::optional<std::uint64_t> key = std::nullopt;
   };
 
   explicit ClientQueue(const ServerLimits& limits) : limits_(limits) {}
@@ -50,6 +52,7 @@ class ClientQueue {
   struct Data {
     Frame frame;
     std::function<Frame()> make;
+    std::uint64_t key;
   };
   /// The queue of one key.
   struct KeyQueue {

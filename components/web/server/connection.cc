@@ -34,8 +34,9 @@ void copyPart(const Frame& frame, std::size_t begin, std::span<unsigned char> pl
 
 }  // namespace
 
-Connection::Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite)
-    : waker_(std::move(waker)), socket_(socket), limits_(limits), mayWrite_(mayWrite) {}
+Connection::Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite,
+                       std::shared_ptr<ClientTraffic> traffic)
+    : waker_(std::move(waker)), socket_(socket), limits_(limits), mayWrite_(mayWrite), traffic_(std::move(traffic)) {}
 
 void Connection::add(ClientQueue::Item item) {
   if (hasEnded_ || isClosing()) return;
@@ -102,7 +103,9 @@ bool Connection::writePiece(std::vector<unsigned char>& buffer) {
       static_cast<int>(count))
     return false;
   written_ += count;
-  if (isLast) current_.reset();
+  if (!isLast) return true;
+  traffic_->add(current_->key, size);
+  current_.reset();
   return true;
 }
 

@@ -16,6 +16,7 @@
 #include "web/server/client_queue.hh"
 #include "web/server/limits.hh"
 #include "web/server/session.hh"
+#include "web/server/traffic.hh"
 #include "web/server/waker.hh"
 
 struct lws;
@@ -26,7 +27,8 @@ namespace pongsim::web {
 class Connection final : public Client, public Callee, public std::enable_shared_from_this<Connection> {
  public:
   /// @param socket Exists until `ended`; only used on the server's thread.
-  Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite);
+  Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite,
+             std::shared_ptr<ClientTraffic> traffic);
 
   void sendText(std::string text) override;
   void sendBinary(Frame frame) override;
@@ -40,6 +42,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   void close(std::uint16_t code, std::string reason) override;
   bool mayWrite() const override { return mayWrite_; }
   std::uint64_t dropped() const override { return queue_.dropped(); }
+  ClientTraffic& traffic() override { return *traffic_; }
 
   // The rest is for the server's thread.
 
@@ -76,6 +79,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   // a copy, because clients can outlive the server
   const ServerLimits limits_;
   const bool mayWrite_;
+  const std::shared_ptr<ClientTraffic> traffic_;
   ClientQueue queue_{limits_};
   std::unique_ptr<Session> session_;
   std::atomic<bool> isAwake_ = false;

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -357,6 +358,12 @@ class Server::Loop {
     return 0;
   }
 
+  static std::string addressOf(lws* socket) {
+    std::array<char, 64> address{};
+    lws_get_peer_simple(socket, address.data(), address.size());
+    return address.data();
+  }
+
   int begin(lws* socket) {
     const auto admitted = admitted_.find(socket);
     if (admitted == admitted_.end()) return -1;
@@ -366,7 +373,8 @@ class Server::Loop {
     std::string name = lws_get_protocol(socket)->name;
     if (name == kNoSubprotocol) name.clear();
     const auto protocol = protocols_.find(name);
-    auto connection = std::make_shared<Connection>(waker_, socket, settings_.limits, mayWrite);
+    auto connection = std::make_shared<Connection>(waker_, socket, settings_.limits, mayWrite,
+                                                   settings_.traffic->add(addressOf(socket), name));
     if (protocol == protocols_.end()) {
       connection->close(LWS_CLOSE_STATUS_PROTOCOL_ERR, "name a subprotocol: foxglove.websocket.v1");
     } else {

@@ -13,6 +13,7 @@
 #include "web/server/access.hh"
 #include "web/server/limits.hh"
 #include "web/server/session.hh"
+#include "web/server/traffic.hh"
 
 namespace pongsim::web {
 
@@ -35,6 +36,8 @@ struct ServerSettings {
   std::filesystem::path certificate;
   std::filesystem::path key;
   ServerLimits limits;
+  /// Where clients and what they have been sent are listed.
+  std::shared_ptr<TrafficBook> traffic = std::make_shared<TrafficBook>();
 };
 
 /// HTTP and WebSocket server on one port, with or without TLS, with its own thread.

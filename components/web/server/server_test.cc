@@ -91,6 +91,21 @@ TEST_F(ServerTest, ServesThePageWithAStrictPolicy) {
   EXPECT_TRUE(RawClient(port).get("/main.js").ends_with("run()"));
 }
 
+TEST_F(ServerTest, CountsWhatClientsAreSent) {
+  start();
+  const auto client = greeted();
+  ASSERT_EQ(settings_.traffic->all().size(), 1U);
+  const auto traffic = settings_.traffic->all()[0];
+  EXPECT_EQ(traffic->address(), "127.0.0.1");
+  EXPECT_EQ(traffic->protocol(), "echo");
+  const auto sent = protocol_.client(0);
+  sent->traffic().name(5, "/a");
+  sent->sendData(5, 1, {"head", Payload("body!")});
+  EXPECT_EQ(client->next().value().payload, "headbody!");
+  EXPECT_TRUE(waitUntil([&] { return traffic->counts().contains("/a") && traffic->counts().at("/a").messages == 1; }));
+  EXPECT_EQ(traffic->counts().at("/a").bytes, 9U);
+}
+
 TEST_F(ServerTest, LetsOnlyNamedPagesShowItInAFrame) {
   const auto endsWith = [&](const char* policy) {
     return RawClient(start()).get("/").find(std::string("; frame-ancestors ") + policy + "\r\n") != std::string::npos;

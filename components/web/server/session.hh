@@ -13,6 +13,8 @@
 
 namespace pongsim::web {
 
+class ClientTraffic;
+
 /// Bytes shared by several clients. Copies refer to the same bytes.
 class Payload {
  public:
@@ -88,6 +90,9 @@ class Client {
 
   /// @return Number of data frames dropped for this client so far.
   virtual std::uint64_t dropped() const = 0;
+
+  /// @return What it has been sent. A session names the topics of its keys there.
+  virtual ClientTraffic& traffic() = 0;
 };
 
 /// A protocol's state for one client, from the handshake to the end of the connection. All functions are called on the

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "web/server/session.hh"
+#include "web/server/traffic.hh"
 
 namespace pongsim::web {
 
@@ -59,6 +60,7 @@ class RecordedClient final : public Client {
   }
   bool mayWrite() const override { return mayWrite_; }
   std::uint64_t dropped() const override { return dropped_; }
+  ClientTraffic& traffic() override { return traffic_; }
 
   void setMayWrite(bool may) { mayWrite_ = may; }
 
@@ -110,6 +112,7 @@ class RecordedClient final : public Client {
     return frame.head + std::string(reinterpret_cast<const char*>(body.data()), body.size());
   }
 
+  ClientTraffic traffic_{1, "127.0.0.1", "test"};
   mutable std::mutex mutex_;
   bool mayWrite_ = true;
   std::uint64_t dropped_ = 0;
