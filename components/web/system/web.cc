@@ -18,6 +18,7 @@
 #include "pongsim/system.hh"
 #include "pongsim/world_edits.hh"
 #include "web/assets/world_files.hh"
+#include "web/frames/contact_channel.hh"
 #include "web/frames/pose_feed.hh"
 #include "web/pictures/picture_channel.hh"
 #include "web/system/hub.hh"
@@ -61,6 +62,8 @@ class Web final : public System {
     if (pictures_) {
       hub_->channels().remove(*pictures_);
       pictures_->end();
+      hub_->channels().remove(*contacts_);
+      contacts_->end();
     }
     hub_->assets().remove(this);
     relay_.reset();
@@ -95,7 +98,9 @@ class Web final : public System {
     channel_ = std::make_shared<PoseChannel>(name, wake);
     pictures_ = std::make_shared<PictureChannel>(name, wake);
     hub_->channels().add(channel_);
+    contacts_ = std::make_shared<ContactChannel>(name, wake);
     hub_->channels().add(pictures_);
+    hub_->channels().add(contacts_);
     feed_.emplace(context.world, channel_);
     relay_.emplace(hub_->worlds(), name, context.node, context.log);
     mustAnnounce_ = hub_.use_count() == 1;
@@ -114,6 +119,7 @@ class Web final : public System {
     if (!feed_) return;
     feed_->update(step);
     pictures_->update(*world_, step);
+    contacts_->update(*world_, step);
   }
 
   void worldChanged() override {
@@ -159,6 +165,7 @@ class Web final : public System {
   std::optional<World> world_;
   std::shared_ptr<PoseChannel> channel_;
   std::shared_ptr<PictureChannel> pictures_;
+  std::shared_ptr<ContactChannel> contacts_;
   std::optional<PoseFeed> feed_;
   std::optional<Relay> relay_;
   /// Duration of the last step [s].

@@ -29,6 +29,8 @@ export interface Context {
   /// What the user has changed.
   history: History;
   log: MessageLog;
+  /// Opens a further panel with these settings.
+  openPanel(id: string, settings: Record<string, string[]>): void;
   /// Awaits `work`, and reports a failure to the user.
   /// @return Whether it succeeded.
   attempt(what: string, work: Promise<unknown>): Promise<boolean>;

@@ -17,6 +17,7 @@ import { openSpawn } from '../panels/spawn.ts';
 import { openTeleop } from '../panels/teleop.ts';
 import { openTimeline } from '../panels/timeline.ts';
 import { openTopicEcho } from '../panels/topic_echo.ts';
+import { openTopicTree } from '../panels/topic_tree.ts';
 import { openTransform } from '../panels/transform.ts';
 import { openViewSettings } from '../panels/view_settings.ts';
 import { openWorldControl } from '../panels/world_control.ts';
@@ -36,6 +37,7 @@ export const kPanels: readonly PanelKind[] = [
   { id: 'PointCloud', title: 'Point cloud', place: 'right', isMany: true, open: openPointCloud },
   { id: 'Plotting', also: ['Plot'], title: 'Plot', place: 'bottom', isMany: true, open: openPlot },
   { id: 'TopicEcho', also: ['TopicViewer'], title: 'Topic echo', place: 'bottom', isMany: true, open: openTopicEcho },
+  { id: 'TopicTree', title: 'Topics', place: 'left', open: openTopicTree },
   { id: 'Publisher', title: 'Publisher', place: 'left', isMany: true, isForWriting: true, open: openPublisher },
   { id: 'ServiceCall', title: 'Service', place: 'left', isMany: true, open: openServiceCall },
   { id: 'TransformControl', title: 'Transform control', place: 'left', open: openTransform },

@@ -5,6 +5,7 @@ import { quaternionOf, rollPitchYawOf } from '../connection/poses.ts';
 import type { Message } from '../connection/types.ts';
 import { World } from '../connection/world.ts';
 import { StreamedView, View, type Pose } from '../view/index.ts';
+import { AxisGizmo } from './axis_gizmo.ts';
 import { Ends, Selection, settingsOf, type Context } from './context.ts';
 import { h } from './dom.ts';
 import { move } from './edits.ts';
@@ -26,6 +27,7 @@ export class Shell {
   readonly tools: HTMLElement;
   private readonly ends = new Ends();
   private readonly nothing = h('p', { class: 'nothing', role: 'status', hidden: true }, 'Nothing in this world has a <visual>, so there is nothing to see');
+  private readonly gizmo = new AxisGizmo((from) => this.sight?.lookFrom(from));
   private gui: GuiSettings = { panels: [], camera: null };
   private isOpen = false;
   private isEnded = false;
@@ -52,6 +54,12 @@ export class Shell {
           return false;
         }
       },
+      openPanel: (id, settings) => {
+        const kind = panelFor(id);
+        if (!kind) return;
+        this.layout.add(kind, this.context, settingsOf(settings));
+        this.layout.reveal(kind);
+      },
       choosePlace: (message, hint) => this.choosePlace(message, hint),
     };
     this.context.view = this.makeView();
@@ -61,6 +69,7 @@ export class Shell {
     this.layout.setReadOnly(connection.isReadOnly);
     this.tools = toolbar(this.context, this.layout, this.ends, { themed: () => this.showTheme(), resetLayout: () => this.resetLayout() });
     this.connectView();
+    this.layout.stage.append(this.gizmo.element);
     this.showTheme();
     void this.openPanels();
   }
@@ -98,7 +107,7 @@ export class Shell {
         this.placed?.(pose);
         this.placed = null;
       },
-      onCamera: () => this.noteState(),
+      onCamera: () => this.cameraMoved(),
       onProblem: (text) => log.add('warning', text),
     });
   }
@@ -111,7 +120,7 @@ export class Shell {
       : 'This browser has no WebGL 2 or it is switched off: the server draws the world');
     const stream = new StreamedView(this.layout.stage, {
       ask: (wish) => connection.ask(topic, { ...wish }),
-      onCamera: () => this.noteState(),
+      onCamera: () => this.cameraMoved(),
       onProblem: (text) => log.add('warning', `The server can't draw the world: ${text}`),
     });
     this.layout.stage.append(why);
@@ -149,6 +158,7 @@ export class Shell {
     this.showLayout(layout);
     const camera = (isForThis ? wanted.view : undefined) ?? this.gui.camera;
     if (camera) this.sight?.setCamera(poseOf(camera));
+    this.cameraMoved();
     this.ends.add(this.layout.changed.on(() => this.noteState()), () => clearTimeout(this.noted));
     await this.noteOpened(layout === null);
     this.isOpen = true;
@@ -183,6 +193,12 @@ export class Shell {
     await Promise.resolve();
     this.saved = JSON.stringify(this.layout.state);
     if (isUsual) this.usual = this.saved;
+  }
+
+  private cameraMoved(): void {
+    const camera = this.sight?.camera();
+    if (camera) this.gizmo.show(camera.orientation);
+    this.noteState();
   }
 
   /// What has a viewpoint.

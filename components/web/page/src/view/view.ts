@@ -336,6 +336,11 @@ export class View {
     return poseOf(this.orbitCamera.placement);
   }
 
+  setOrthographic(on: boolean): void {
+    this.orbitCamera.isParallel = on;
+    this.invalidate();
+  }
+
   /// Shows or hides an overlay for one entity with its parts, or for all.
   setOverlay(overlay: Overlay, on: boolean, entity?: number): void {
     this.shown.set(overlay, on, entity);
@@ -475,7 +480,6 @@ export class View {
 
   dispose(): void {
     clearTimeout(this.rest);
-    if (this.nextFrame !== null) cancelAnimationFrame(this.nextFrame);
     this.end.abort();
     this.sizes.disconnect();
     this.pointer.dispose();

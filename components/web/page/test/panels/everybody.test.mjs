@@ -9,7 +9,7 @@ import { choose, openPage, openPanel, panel, pongsim, repository, until } from '
 const axe = readFileSync('node_modules/axe-core/axe.min.js', 'utf8');
 const world = `${repository}worlds/pong_world.sdf`;
 const panels = [
-  'Key publisher', 'Teleop', 'Joint position controller', 'Image display', 'Visualize lidar', 'Point cloud', 'Plot', 'Topic echo', 'Publisher',
+  'Key publisher', 'Teleop', 'Joint position controller', 'Image display', 'Visualize lidar', 'Point cloud', 'Plot', 'Topic echo', 'Topics', 'Publisher',
   'Service', 'Transform control', 'Apply force torque', 'Spawn', 'Lights', 'View', 'Timeline', 'Performance', 'Messages',
 ];
 

@@ -187,3 +187,21 @@ test('sides are those of the axes', () => {
   assert.ok(from('bottom').z < -9.9);
   near(from('home'), new Vector3(-6, 0, 6));
 });
+
+test('in parallel projection size does not depend on distance, and that at the target stays', () => {
+  const eye = new OrbitCamera();
+  eye.resize(400, 400);
+  eye.placement = { position: new Vector3(-10, 0, 0), rotation: fromRollPitchYaw(0, 0, 0) };
+  const heightOf = (x: number): number => new Vector3(x, 0, 1).project(eye.camera).y - new Vector3(x, 0, 0).project(eye.camera).y;
+  const before = heightOf(0);
+  eye.isParallel = true;
+  assert.ok(Math.abs(heightOf(0) - before) < 1e-9);
+  assert.ok(Math.abs(heightOf(30) - before) < 1e-9);
+  // a click off the middle goes straight ahead
+  const { ray } = eye.rayThrough(0.75, 0.5);
+  assert.ok(Math.abs(ray.direction.x - 1) < 1e-9 && ray.origin.y < -1 && Math.abs(ray.origin.z) < 1e-9);
+  eye.zoom(2);
+  assert.ok(Math.abs(heightOf(30) - before / 2) < 1e-6);
+  eye.isParallel = false;
+  assert.ok(heightOf(30) < heightOf(0));
+});

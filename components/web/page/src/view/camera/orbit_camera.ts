@@ -12,6 +12,8 @@ const steepest = Math.PI / 2 - 0.001;
 // limits of the distance from the target [m]
 const nearest = 0.05;
 const farthest = 5000;
+// in parallel projection [m]
+const behind = 500;
 /// Fortress's initial viewpoint.
 const home: Placement = { position: new Vector3(-6, 0, 6), rotation: fromRollPitchYaw(0, 0.5, 0) };
 // directions of sight; 'front' looks at the side of an entity that is in the direction of its x
@@ -36,9 +38,26 @@ function anglesOf(sight: Vector3): [yaw: number, pitch: number] {
   return [yaw, Math.min(Math.max(pitch, -steepest), steepest)];
 }
 
+/// A camera that can project in parallel. It stays a perspective camera to OrbitControls, whose panning and zooming are
+/// those of the plane of the target, which has the same size in both.
+class SwitchableCamera extends PerspectiveCamera {
+  /// Distance of the plane that has the same size in both projections [m]; null: perspective.
+  parallel: number | null = null;
+
+  override updateProjectionMatrix(): void {
+    super.updateProjectionMatrix();
+    if (!this.parallel) return;
+    const up = this.parallel * Math.tan(fieldOfView / 2);
+    const right = up * this.aspect;
+    // what is behind the eye is visible, too
+    this.projectionMatrix.makeOrthographic(-right, right, up, -up, -behind, farthest, this.coordinateSystem);
+    this.projectionMatrixInverse.copy(this.projectionMatrix).invert();
+  }
+}
+
 /// The camera of the view, with z up. It looks at a target, around which three's OrbitControls rotate it.
 export class OrbitCamera {
-  readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, farthest);
+  readonly camera = new SwitchableCamera((fieldOfView * 180) / Math.PI, 1, 0.02, farthest);
   readonly controls: OrbitControls;
 
   /// @param changed Called when the viewpoint has changed.
@@ -56,12 +75,23 @@ export class OrbitCamera {
     this.controls.maxDistance = farthest;
     this.controls.addEventListener('change', () => {
       // the depth buffer is precise only if the near plane is not much nearer than the target
+      if (this.camera.parallel) this.camera.parallel = this.controls.getDistance();
       this.camera.near = Math.min(Math.max(this.controls.getDistance() / 200, 0.005), 0.5);
       this.camera.updateProjectionMatrix();
       this.camera.updateMatrixWorld();
       changed();
     });
     this.placement = home;
+  }
+
+  get isParallel(): boolean {
+    return this.camera.parallel !== null;
+  }
+
+  /// Switches between parallel and perspective projection; what is at the target keeps its size.
+  set isParallel(on: boolean) {
+    this.camera.parallel = on ? this.controls.getDistance() : null;
+    this.camera.updateProjectionMatrix();
   }
 
   get target(): Vector3 {
@@ -86,12 +116,17 @@ export class OrbitCamera {
   /// @param x, y Fractions of the view's width and height, from its upper left corner.
   rayThrough(x: number, y: number): Raycaster {
     const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
+    const [right, up] = [2 * x - 1, 1 - 2 * y];
+    ray.setFromCamera(new Vector2(right, up), this.camera);
+    if (!this.isParallel) return ray;
+    const from = new Vector3(right, up, -1).unproject(this.camera);
+    ray.set(from, this.sight);
     return ray;
   }
 
   /// Sets the target of rotations, at this distance along the line of sight [m].
   turnAround(distance: number): void {
+    if (this.isParallel) return;
     this.controls.target.copy(this.camera.position).addScaledVector(this.sight, distance);
     this.controls.update();
   }
