@@ -57,7 +57,7 @@ export function sizeText(bytes: number): string {
 }
 
 export function openPerformance(context: Context): Panel {
-  const { connection, world, view } = context;
+  const { connection, world, view, stream } = context;
   const ends = new Ends();
   const cell = (id: string): HTMLElement => h('dd', { id: `performance-${id}` }, '–');
   const [frames, resolution, work, trip, total] = [cell('frames'), cell('resolution'), cell('work'), cell('trip'), cell('total')];
@@ -75,7 +75,7 @@ export function openPerformance(context: Context): Panel {
       h('td', {}, rate.client), h('td', {}, rate.topic), h('td', {}, rate.messages.toFixed(rate.messages < 10 ? 1 : 0)), h('td', {}, sizeText(rate.bytes)))));
   };
   ends.add(connection.subscribeBytes(kTrafficTopic, showSent));
-  let drawn = view?.statistics.frames ?? 0;
+  let drawn = view?.statistics.frames ?? stream?.statistics.pictures ?? 0;
   let at = performance.now();
   let isAsking = false;
   // a request that changes nothing: to the world's thread and back, between two steps
@@ -95,6 +95,12 @@ export function openPerformance(context: Context): Panel {
       resolution.textContent = `${Math.round(100 * scale)} %`;
       work.textContent = `${drawCalls} draw calls, ${triangles} triangles`;
       drawn = count;
+    }
+    if (stream) {
+      const { pictures, width, height } = stream.statistics;
+      frames.textContent = `${((1000 * (pictures - drawn)) / (now - at)).toFixed(1)} pictures of the server per second`;
+      resolution.textContent = `${width} × ${height}`;
+      drawn = pictures;
     }
     at = now;
     const rates = connection.traffic.take(now);

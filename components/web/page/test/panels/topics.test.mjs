@@ -13,7 +13,7 @@ test('topics are found by name and type, and open in a panel', async () => {
   await topics.locator('summary', { hasText: 'world/pong_world' }).click();
   await topics.getByTitle('Show /world/pong_world/stats').waitFor();
   await topics.getByLabel('Search topics').fill('worldstat pong');
-  await until(() => topics.getByRole('button').allTextContents(), (names) => names.join() === 'world/pong_world/stats', 'the one that is left');
+  await until(() => topics.locator('.topics button').allTextContents(), (names) => names.join() === 'world/pong_world/stats', 'the one that is left');
   await topics.getByRole('button', { name: 'world/pong_world/stats' }).click();
   await panel(tab, 'Topic echo').getByText('"iterations"').waitFor();
   await topics.getByLabel('Search topics').fill('no such topic');
