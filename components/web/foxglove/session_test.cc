@@ -68,6 +68,18 @@ TEST_F(SessionTest, OffersOwnChannelsToOurPageOnly) {
   EXPECT_EQ(awaitBinary('\1'), number(1) + "\1\0\0\0\0\0\0\0"s + "frame");
 }
 
+TEST_F(SessionTest, PassesOnWhatOurPageAsksFor) {
+  open("pongsim.web.v1");
+  const json frame = channel("/world/w/frame");
+  say({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", frame["id"]}}}}});
+  say({{"op", "ask"}, {"subscriptionId", 1}, {"wrong", "there is no such picture"}});
+  EXPECT_EQ(status(), "there is no such picture");
+  say({{"op", "ask"}, {"subscriptionId", 2}});
+  EXPECT_EQ(status(), "there is no subscription 2");
+  say({{"op", "ask"}});
+  EXPECT_EQ(status(), "the id of a subscription must be a number");
+}
+
 TEST_F(SessionTest, HandsOutAssets) {
   assets_.files["model://m/a.dae"] = "mesh";
   open();
