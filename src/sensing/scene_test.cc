@@ -351,7 +351,7 @@ TEST(BeamScene, SeesTheHandsOfActorsWhereTheirSkeletonsSay) {
   ASSERT_EQ(world.warnings().size(), 1U);
   EXPECT_EQ(world.warnings()[0].message,
             "'" + actor.animations[1].source.file.string() +
-                "' is no Collada file (.dae): sensors will not see it move the limbs of actor 'a'");
+                "' can't move this skin: sensors will not see it move the limbs of actor 'a'");
   // the arm turns from upright to the right
   const Pose before{{0, 0, 1.1}, Quaternion::Identity()}, behind{{0, -0.61, 0.5}, Quaternion::Identity()};
   EXPECT_NEAR(world.cast(from(before)).range, 5, 1e-9);

@@ -18,8 +18,8 @@
 #include "ros2/wire/fast_dds.hh"
 #include "ros2/wire/local_udp.hh"
 #include "ros2/wire/security.hh"
-#include "shared/rtps/create_participant.hh"
 #include "shared/rtps/rtps_message.hh"
+#include "shared/wire/create_participant.hh"
 
 namespace pongsim::ros2 {
 

@@ -16,9 +16,9 @@
 #include <utility>
 
 #include "base/parse_number.hh"
-#include "shared/rtps/create_participant.hh"
 #include "shared/rtps/rtps_message.hh"
 #include "shared/threads/scheduling.hh"
+#include "shared/wire/create_participant.hh"
 #include "transport/deadline.hh"
 #include "transport/udp/domain.hh"
 
