@@ -121,7 +121,11 @@ void PictureChannel::end() {
 void PictureChannel::run() {
   std::unique_lock lock(mutex_);
   while (!isEnded_) {
-    if (viewers_.empty() && scene_) dropScene(lock);
+    if (viewers_.empty() && scene_) {
+      dropScene(lock);
+      // without the lock, what there is to do may have changed
+      continue;
+    }
     const Clock::time_point due = nextDue();
     if (due == Clock::time_point::max()) {
       changed_.wait(lock);

@@ -134,6 +134,17 @@ TEST_F(PictureChannelTest, DrawsWhatModelsAreRemovedMeanwhile) {
   EXPECT_NE(next(*client_), first);
 }
 
+TEST_F(PictureChannelTest, EndsWhileItDropsTheSceneOfAClientThatHasGone) {
+  for (int i = 0; i < 10; ++i) {
+    auto opened = open(client_);
+    channel_->ask(opened, wishAt(0.1 * i));
+    next(*client_);
+    opened.reset();
+    channel_->end();
+    channel_ = std::make_shared<PictureChannel>("w", [this] { ++wakes_; });
+  }
+}
+
 TEST_F(PictureChannelTest, EndsWithTheWorldThoughAClientWaits) {
   const auto opened = open(client_);
   channel_->ask(opened, wishAt(0));
