@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pongsim/math.hh"
+
 namespace pongsim::web {
 
 namespace {
@@ -69,7 +71,7 @@ Outcome<PictureView> readPictureWish(const json& wish) {
   view.X_WorldEye = *pose;
   view.width = *width;
   view.height = *height;
-  view.fx = view.fy = *height / (2 * std::tan(angle->get<double>() / 2));
+  view.fx = view.fy = *height / (2 * math::tan(angle->get<double>() / 2));
   view.cx = *width / 2.0;
   view.cy = *height / 2.0;
   view.near = kNear;
