@@ -114,7 +114,7 @@ export function openPerformance(context: Context): Panel {
   ends.add(() => clearInterval(timer));
   // what came before does not count
   connection.traffic.take(at);
-  const element = h('div', { class: 'performance' },
+  const element = h('div', { class: 'performance', tabindex: 0, role: 'group', 'aria-label': 'Figures' },
     h('dl', {}, h('dt', {}, 'Frames drawn'), frames, h('dt', {}, 'Resolution'), resolution, h('dt', {}, 'Last frame'), work,
       h('dt', {}, 'Request and answer'), trip, h('dt', {}, 'Received'), total),
     h('table', {}, h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Topic'), h('th', { scope: 'col' }, 'per s'), h('th', { scope: 'col' }, 'bytes/s'))), rows),

@@ -75,11 +75,11 @@ test('the user has the server draw, and the browser again', async () => {
   const page = await openPage(world);
   const { tab } = page;
   try {
-    await (await openPanel(tab, 'View')).getByLabel('The server draws the picture').check();
+    await (await openPanel(tab, 'View')).getByLabel('The server draws the picture').click();
     await tab.getByText('The server draws the world').waitFor();
     await shown(tab);
     await until(() => tab.evaluate(() => location.hash), (hash) => hash.includes('picture=server'), 'it is in the address');
-    await panel(tab, 'View').getByLabel('The server draws the picture').uncheck();
+    await panel(tab, 'View').getByLabel('The server draws the picture').click();
     await tab.getByText('The server draws the world').waitFor({ state: 'detached' });
     await tab.locator('#view canvas[aria-label^="3D view"]').waitFor();
     assert.ok(!(await tab.evaluate(() => location.hash)).includes('picture='));
