@@ -7,8 +7,6 @@
 #include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
 #include <fastrtps/utils/IPLocator.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
-#include <fastdds/dds/log/Log.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -33,18 +31,6 @@ const Duration_t kLease{10, 0};
 const Duration_t kAnnouncementPeriod{0, 500'000'000};
 // Maximum number of participants on this machine that can find a port.
 constexpr std::uint32_t kParticipants = 115;
-
-/// Process-wide settings of Fast DDS, the same as those of pongsim's own transport.
-void setUpLibrary() {
-  static const bool once = [] {
-    eprosima::fastdds::dds::Log::ClearConsumers();
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-    return true;
-  }();
-  static_cast<void>(once);
-}
 
 rtps::Locator_t locatorOf(const char* address) {
   rtps::Locator_t locator;
@@ -107,7 +93,6 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   if (options.domain < 0 || options.domain > kLastDomain) {
     throw std::invalid_argument("ROS_DOMAIN_ID is " + std::to_string(options.domain) + ", not between 0 and 232");
   }
-  setUpLibrary();
   const std::optional<SecureIdentity> identity = securityOfEnvironment(options.domain).identity;
   const auto isOpen = std::make_shared<std::atomic<bool>>(false);
   participant_ = shared::createParticipant(static_cast<std::uint32_t>(options.domain),

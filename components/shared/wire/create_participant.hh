@@ -3,11 +3,27 @@
 #include <fastdds/rtps/RTPSDomain.h>
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
 #include <fastdds/rtps/participant/RTPSParticipant.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <fastdds/dds/log/Log.hpp>
 
 #include <atomic>
 #include <cstdint>
 
 namespace pongsim::shared {
+
+/// Settings that Fast DDS has once for the whole process.
+inline void setUpFastDds() {
+  static const bool once = [] {
+    // Fast DDS logs to stdout, which is for our output
+    eprosima::fastdds::dds::Log::ClearConsumers();
+    // intraprocess delivery calls endpoints of other participants while these may be being destroyed
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+    return true;
+  }();
+  static_cast<void>(once);
+}
 
 /// Creates a participant of a domain whose discovery port is one at which others look for it.
 ///
@@ -21,6 +37,7 @@ inline eprosima::fastrtps::rtps::RTPSParticipant* createParticipant(
     std::uint32_t domain, eprosima::fastrtps::rtps::RTPSParticipantAttributes attributes,
     eprosima::fastrtps::rtps::RTPSParticipantListener* listener, std::uint32_t count) {
   using eprosima::fastrtps::rtps::RTPSDomain;
+  setUpFastDds();
   static std::atomic<std::uint32_t> next = 0;
   const std::uint32_t end = attributes.port.getUnicastPort(domain, count);
   for (std::uint32_t i = 0; i < count; ++i) {

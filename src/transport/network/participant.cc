@@ -6,9 +6,7 @@
 #include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
 #include <fastrtps/utils/IPLocator.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <unistd.h>
-#include <fastdds/dds/log/Log.hpp>
 
 #include <charconv>
 #include <chrono>
@@ -45,20 +43,6 @@ const Duration_t kAnnouncementPeriod{2, 0};
 
 // Less than the silence after which others give up a participant whose port is open (`Network::discover`).
 constexpr std::chrono::seconds kAnnounceBy{1};
-
-/// Settings that Fast DDS has once for the whole process.
-void setUpLibrary() {
-  static const bool once = [] {
-    // Fast DDS logs to stdout, which is for our output
-    eprosima::fastdds::dds::Log::ClearConsumers();
-    // intraprocess delivery calls endpoints of other participants while these may be being destroyed
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-    return true;
-  }();
-  static_cast<void>(once);
-}
 
 rtps::Locator_t locatorOf(const std::string& address) {
   rtps::Locator_t locator;
@@ -148,7 +132,6 @@ ParticipantName readParticipantName(std::string_view text) {
 Participant::Participant(const Settings& settings, const std::optional<ParticipantId>& first,
                          rtps::RTPSParticipantListener* listener)
     : listener_(listener), gate_(std::make_shared<UdpGate>(settings.domain)), participant_(nullptr, removeParticipant) {
-  setUpLibrary();
   // with DDS's threads
   const shared::BatchScheduling scheduling;
   participant_.reset(shared::createParticipant(static_cast<std::uint32_t>(settings.domain),
