@@ -31,6 +31,8 @@ export interface Context {
   log: MessageLog;
   /// Opens a further panel with these settings.
   openPanel(id: string, settings: Record<string, string[]>): void;
+  /// Lets the server draw the world, or the browser again: opens the page anew, with the same viewpoint and panels.
+  drawByServer(isOn: boolean): void;
   /// Awaits `work`, and reports a failure to the user.
   /// @return Whether it succeeded.
   attempt(what: string, work: Promise<unknown>): Promise<boolean>;

@@ -60,6 +60,11 @@ export class Shell {
         this.layout.add(kind, this.context, settingsOf(settings));
         this.layout.reveal(kind);
       },
+      drawByServer: (isOn) => {
+        clearTimeout(this.noted);
+        this.writeState(isOn);
+        window.location.reload();
+      },
       choosePlace: (message, hint) => this.choosePlace(message, hint),
     };
     this.context.view = this.makeView();
@@ -210,17 +215,19 @@ export class Shell {
   private noteState(): void {
     if (!this.isOpen) return;
     clearTimeout(this.noted);
-    this.noted = setTimeout(() => {
-      const { world, stream } = this.context;
-      const layout = this.layout.state;
-      const text = JSON.stringify(layout);
-      // only what the user has changed is saved, so that a world that asks for others gets them
-      if (text !== this.saved) saveLayout(world.name, text === this.usual ? null : layout);
-      this.saved = text;
-      const camera = this.sight?.camera();
-      const pose = camera && ([...camera.position, ...rollPitchYawOf(camera.orientation)] as Sixfold);
-      window.history.replaceState(null, '', writeAddress({ world: world.name, ...(pose && { view: pose }), layout, isDrawnByServer: stream !== null && View.supported() }));
-    }, kNoteMs);
+    this.noted = setTimeout(() => this.writeState(this.context.stream !== null && View.supported()), kNoteMs);
+  }
+
+  private writeState(isDrawnByServer: boolean): void {
+    const { world } = this.context;
+    const layout = this.layout.state;
+    const text = JSON.stringify(layout);
+    // only what the user has changed is saved, so that a world that asks for others gets them
+    if (text !== this.saved) saveLayout(world.name, text === this.usual ? null : layout);
+    this.saved = text;
+    const camera = this.sight?.camera();
+    const pose = camera && ([...camera.position, ...rollPitchYawOf(camera.orientation)] as Sixfold);
+    window.history.replaceState(null, '', writeAddress({ world: world.name, ...(pose && { view: pose }), layout, isDrawnByServer }));
   }
 
   private choosePlace(message: Message, hint = 'Click in the view to place it, or move it by arrows and press Enter; Escape cancels'): Promise<Pose | null> {

@@ -2,7 +2,6 @@
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, iconButton } from '../app/dom.ts';
 import { readContacts } from '../connection/contacts.ts';
-import { readAddress, writeAddress } from '../app/page_state.ts';
 import { quaternionOf, rollPitchYawOf } from '../connection/poses.ts';
 import { saveViews, savedViews, withView, type SavedView } from '../app/saved_views.ts';
 import { View, type Direction, type StreamedView, type Overlay } from '../view/index.ts';
@@ -42,13 +41,6 @@ function showViews(element: HTMLElement, world: string, sight: View | StreamedVi
       iconButton('×', `Forget ${view.name}`, () => change(all.filter(({ name: other }) => other !== view.name))))));
 }
 
-/// Lets the server draw the world, or the browser again: opens the page anew, with the same viewpoint and panels.
-function drawByServer(isOn: boolean): void {
-  const state = readAddress(location.hash);
-  history.replaceState(null, '', writeAddress({ ...state, isDrawnByServer: isOn }));
-  location.reload();
-}
-
 export function openViewSettings(context: Context): Panel {
   const { view, stream, world, selection, connection } = context;
   const ends = new Ends();
@@ -57,7 +49,7 @@ export function openViewSettings(context: Context): Panel {
     ...kDirections.map((direction) => h('button', { type: 'button', onclick: () => sight?.lookFrom(direction) }, direction)));
   const views = h('div', {});
   if (sight) showViews(views, world.name, sight);
-  const drawn = box('by-server', 'The server draws the picture, for slow links', !view, drawByServer);
+  const drawn = box('by-server', 'The server draws the picture, for slow links', !view, (on) => context.drawByServer(on));
   const grid = box('grid', 'Grid', true, (on) => sight?.setGrid(on));
   if (!view) {
     if (!View.supported()) drawn.querySelector('input')!.disabled = true;

@@ -4,6 +4,7 @@ import { type Direction, OrbitCamera } from './camera/orbit_camera.ts';
 import { keyMove } from './camera/keys.ts';
 import { AdaptiveResolution } from './camera/adaptive_resolution.ts';
 import { Pointer } from './camera/pointer.ts';
+import { fillWithCanvas } from './canvas.ts';
 import { hasWebGl, makeRenderer } from './draw/renderer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, SceneMessage } from './messages.ts';
@@ -146,11 +147,7 @@ export class View {
 
   private prepareCanvas(parent: HTMLElement): void {
     const { canvas } = this;
-    canvas.style.cssText = 'display:block;width:100%;height:100%';
-    canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', '3D view of the world: Shift and arrows rotate, plus and minus zoom');
-    parent.append(canvas);
+    fillWithCanvas(parent, canvas, '3D view of the world');
     const { signal } = this.end;
     const lost = () => this.options.onProblem?.('the browser has released the graphics context of the 3D view');
     canvas.addEventListener('webglcontextlost', lost, { signal });

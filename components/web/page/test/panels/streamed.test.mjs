@@ -79,9 +79,7 @@ test('the user has the server draw, and the browser again', async () => {
     await tab.getByText('The server draws the world').waitFor();
     await shown(tab);
     await until(() => tab.evaluate(() => location.hash), (hash) => hash.includes('picture=server'), 'it is in the address');
-    // opened too shortly before for the address to know it, it may be closed
-    const view = await panel(tab, 'View').count() > 0 ? panel(tab, 'View') : await openPanel(tab, 'View');
-    await view.getByLabel('The server draws the picture').click();
+    await panel(tab, 'View').getByLabel('The server draws the picture').click();
     await tab.getByText('The server draws the world').waitFor({ state: 'detached' });
     await tab.locator('#view canvas[aria-label^="3D view"]').waitFor();
     assert.ok(!(await tab.evaluate(() => location.hash)).includes('picture='));

@@ -3,6 +3,7 @@ import { MathUtils, Vector3 } from 'three';
 import { type Direction, OrbitCamera } from '../camera/orbit_camera.ts';
 import { keyMove } from '../camera/keys.ts';
 import { Pointer } from '../camera/pointer.ts';
+import { fillWithCanvas } from '../canvas.ts';
 import { type Pose, placementOfPose, poseOf } from '../maths/placement.ts';
 import { pictureSize, StreamScale } from './stream_scale.ts';
 
@@ -48,11 +49,7 @@ export class StreamedView {
 
   constructor(private readonly parent: HTMLElement, private readonly options: StreamOptions) {
     const { canvas } = this;
-    canvas.style.cssText = 'display:block;width:100%;height:100%';
-    canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'Picture of the world, drawn by the server: Shift and arrows rotate, plus and minus zoom');
-    parent.append(canvas);
+    fillWithCanvas(parent, canvas, 'Picture of the world, drawn by the server');
     const { signal } = this.end;
     canvas.addEventListener('keydown', (event) => this.moveByKey(event), { signal });
     document.addEventListener('visibilitychange', () => this.askSoon(), { signal });
