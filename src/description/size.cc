@@ -28,6 +28,9 @@ struct EachNumber {
   }
 };
 
+template <class Use>
+EachNumber(Use) -> EachNumber<Use>;
+
 }  // namespace
 
 std::vector<double> sizeOf(const Geometry& geometry) {
