@@ -5,13 +5,9 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
-#include <optional>
+#include <utility>
 
 namespace pongsim::ros2 {
-
-/// @return How many bytes wait in the receive buffer of this machine's UDP sockets at a port, as the kernel counts
-/// them: that of the fullest; nothing if the kernel does not tell.
-std::optional<std::size_t> bytesQueuedAt(std::uint16_t port);
 
 /// Keeps bursts of large packets within the receive buffers of readers on this machine. A camera image is more than a
 /// default buffer holds, and what does not fit is lost: for a best-effort reader the whole image. Any thread may use
@@ -20,19 +16,21 @@ class BurstLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Call before each packet. After some large ones it waits until the port's socket has been read; for a reader that
-  /// does not read, 10 ms, and not again within 100 ms, so that it can't hold up the others for long.
+  /// Call before each packet. It waits until a large one fits into the reader's buffer; for a reader that does not
+  /// read, 10 ms, and not again within 100 ms, so that it can't hold up the others for long.
+  /// @param address An address of this machine, in network order.
   /// @return Whether there is room, as far as is known.
-  bool awaitRoom(std::uint16_t port, std::size_t size);
+  bool awaitRoom(std::uint32_t address, std::uint16_t port, std::size_t size);
 
  private:
-  struct Burst {
-    std::size_t sent = 0;
+  struct Reader {
+    /// Room that was seen, less what was sent since.
+    std::size_t room = 0;
     /// Until then nobody waits for it.
     Clock::time_point givenUpUntil;
   };
   std::mutex mutex_;
-  std::map<std::uint16_t, Burst> bursts_;
+  std::map<std::pair<std::uint32_t, std::uint16_t>, Reader> readers_;
 };
 
 }  // namespace pongsim::ros2

@@ -266,7 +266,7 @@ bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps:
     const Locator_t& to = *begin;
     if (!is_locator_allowed(to)) continue;
     if (!isMulticast(to)) {
-      if (isOwn(addressOf(to))) bursts_.awaitRoom(static_cast<std::uint16_t>(to.port), size);
+      if (isOwn(addressOf(to))) bursts_.awaitRoom(addressOf(to), static_cast<std::uint16_t>(to.port), size);
       sendBy(sender_, bytes, size, to);
       continue;
     }
