@@ -12,7 +12,8 @@ constexpr std::string_view kFrameUsers = "Nav2, slam_toolbox, robot_localization
 /// Nav2 extrapolates transforms by 0.1 s at most (`transform_tolerance`).
 constexpr double kLeastRate = 10;
 
-std::string leaveOut() { return "pongsim run WORLD --ros2-no-tf, or end the other node (robot_state_publisher...)"; }
+constexpr const char* kLeaveOut =
+    "pongsim run WORLD --ros2-no-link-tf beside robot_state_publisher, or --ros2-no-tf; or end the other node";
 
 void checkParents(const Observation& seen, Findings& findings) {
   bool isGood = true;
@@ -21,13 +22,13 @@ void checkParents(const Observation& seen, Findings& findings) {
       findings.push_back(
           {Verdict::kFault,
            "frame '" + name + "' has " + std::to_string(frame.parents.size()) + " parents: " + quoted(frame.parents),
-           leaveOut(), kFrameUsers});
+           kLeaveOut, kFrameUsers});
     } else if (frame.publishers.size() > 1) {
       findings.push_back({Verdict::kFault,
                           "frame '" + name + "' has " + std::to_string(frame.publishers.size()) + " publishers",
-                          leaveOut(), kFrameUsers});
+                          kLeaveOut, kFrameUsers});
     } else if (rootOf(seen.frames, name).empty()) {
-      findings.push_back({Verdict::kFault, "frame '" + name + "' is its own ancestor", leaveOut(), kFrameUsers});
+      findings.push_back({Verdict::kFault, "frame '" + name + "' is its own ancestor", kLeaveOut, kFrameUsers});
     } else {
       continue;
     }

@@ -39,7 +39,8 @@ void RivalPublishers::checkTransforms(const std::set<std::string>& children) {
   }
   for (const auto& [child, parent] : rivals) {
     ros_.log().warning("another node publishes the frame '" + child + "' in '" + parent +
-                       "', which the simulation publishes, too: --ros2-no-tf leaves the frames to it");
+                       "', which the simulation publishes, too: --ros2-no-link-tf leaves robots' links to it, "
+                       "--ros2-no-tf all frames");
   }
 }
 

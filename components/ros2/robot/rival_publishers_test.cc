@@ -55,7 +55,7 @@ TEST_F(RivalPublishersTest, WarnOnceOfAFrameWithTwoParents) {
   };
   const std::string said = saidUntil(expected, check);
   EXPECT_NE(said.find(expected), std::string::npos) << said;
-  EXPECT_NE(said.find("--ros2-no-tf"), std::string::npos) << said;
+  EXPECT_NE(said.find("--ros2-no-link-tf"), std::string::npos) << said;
   // of the other's own frames nothing is said
   EXPECT_EQ(said.find("'odom'"), std::string::npos) << said;
   testing::internal::CaptureStderr();

@@ -14,6 +14,8 @@ struct RobotSettings {
   std::vector<std::string> robots;
   bool tellsDescription = true;
   bool tellsTransforms = true;
+  /// Whether the frames of links are among them; robot_state_publisher has the same.
+  bool tellsLinks = true;
   bool tellsJointStates = true;
   /// Messages per simulated second; 0: one every step.
   double transformRate = 50;
@@ -40,6 +42,8 @@ struct RobotSettings {
         .otherwise("as bridge_all");
     declaration.parameter("tf", &tellsTransforms, "", "whether robots' frames are on /tf and /tf_static")
         .otherwise("as bridge_all");
+    declaration.parameter("link_tf", &tellsLinks, "",
+                          "whether robots' links are among these frames, beside odometry and sensors");
     declaration.parameter("tf_rate", &transformRate, "Hz", "messages on /tf per simulated second; 0: one per step")
         .atLeast(0);
     declaration.parameter("joint_states", &tellsJointStates, "", "whether robots' joints are on /joint_states")

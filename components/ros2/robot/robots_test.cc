@@ -356,5 +356,15 @@ TEST_F(RobotsTest, AreNotToldOfWhereTheUserDoesNotWantIt) {
   }
 }
 
+TEST_F(RobotsTest, LeaveTheirLinksToRobotStatePublisherWhereTheUserWantsIt) {
+  RobotSettings settings;
+  settings.tellsLinks = false;
+  run(vehicle("v"), settings);
+  hearTransforms();
+  ASSERT_TRUE(stepUntil([this] { return tree().hasFrames({"v/chassis", "v/chassis/imu"}); }));
+  EXPECT_EQ(tree().roots(), std::set<std::string>{"v/odom"});
+  EXPECT_FALSE(tree().hasFrames({"v/left"}));
+}
+
 }  // namespace
 }  // namespace pongsim::ros2

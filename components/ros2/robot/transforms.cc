@@ -199,7 +199,7 @@ void Transforms::addTree(RobotFrames& frames) {
     movingFrames_.push_back({&frames, TreeLink::kNone});
     moving_.message.transforms.push_back(between(world_, root, {}));
   }
-  for (std::size_t i = 1; i < robot.tree.links.size(); ++i) {
+  for (std::size_t i = 1; i < robot.tree.links.size() && robotSettings_.tellsLinks; ++i) {
     const TreeLink& link = robot.tree.links[i];
     const std::string& parent = robot.tree.links[link.parent].frame;
     if (link.motion == Motion::kFixed || (link.motion != Motion::kFree && !link.source)) {
