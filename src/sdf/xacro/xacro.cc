@@ -77,7 +77,7 @@ void report(const std::string& answer, const std::shared_ptr<const std::string>&
 }  // namespace
 
 bool isXacro(const fs::path& file, std::string_view text) {
-  return file.extension() == ".xacro" || text.find("<xacro:") != std::string_view::npos;
+  return file.extension() == ".xacro" || file.stem().extension() == ".xacro" || text.find("<xacro:") != std::string_view::npos;
 }
 
 std::optional<ExpandedText> readExpandedText(const fs::path& file, const std::shared_ptr<const std::string>& name,

@@ -11,6 +11,8 @@ constexpr const char* kMacros = "<robot xmlns:xacro='http://www.ros.org/wiki/xac
 
 TEST(Xacro, IsKnownByNameOrMacros) {
   EXPECT_TRUE(isXacro("robot.urdf.xacro", "<robot/>"));
+  // of gz_ros2_control's demos
+  EXPECT_TRUE(isXacro("robot.xacro.urdf", "<robot/>"));
   EXPECT_TRUE(isXacro("robot.urdf", kMacros));
   EXPECT_FALSE(isXacro("robot.urdf", "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'/>"));
 }
