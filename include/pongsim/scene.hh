@@ -8,6 +8,7 @@
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/message.hh"
+#include "pongsim/outcome.hh"
 #include "pongsim/semantics.hh"
 #include "pongsim/types.hh"
 
@@ -37,6 +38,17 @@ struct ActorPlace {
   std::string skin;
 };
 
+using EmitterId = Id<struct EmitterKind>;
+
+/// A particle emitter of a world.
+struct EmitterPlace {
+  EmitterId id;
+  std::string name;
+  LinkId link;
+  /// As in its file; empty: not given.
+  std::string topic;
+};
+
 /// A world's scene and state as Fortress's messages. Must not outlive the `Simulation`.
 class PONGSIM_API Scene {
  public:
@@ -62,6 +74,19 @@ class PONGSIM_API Scene {
 
   /// @return All actors, in the order of the file.
   std::vector<ActorPlace> actors() const;
+
+  /// @return The particle emitters that are in loaded levels, in the order of their links. Cameras see what they emit,
+  /// and it scatters the light of lidars and depth cameras.
+  std::vector<EmitterPlace> emitters() const;
+
+  /// Fills in an `ignition.msgs.ParticleEmitter` with its present values; its pose is in the frame of its link.
+  /// @throws Gone if it does not exist any more.
+  void fillInEmitter(EmitterId id, Message& emitter) const;
+
+  /// Changes what an `ignition.msgs.ParticleEmitter` sets, except name and pose. Images that it names are not read:
+  /// they count only if they are those that the emitter has.
+  /// @return Why it can't: there is no such emitter, or a value is invalid.
+  Outcome<void> changeEmitter(EmitterId id, const Message& emitter);
 
   /// @return What the file says that the model stands for. The model must exist.
   const Semantics& semantics(ModelId model) const;

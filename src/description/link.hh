@@ -10,6 +10,7 @@
 #include "description/heat.hh"
 #include "description/light.hh"
 #include "description/material.hh"
+#include "description/particle_emitter.hh"
 #include "description/plugin.hh"
 #include "description/sensor.hh"
 #include "pongsim/diagnostic.hh"
@@ -113,6 +114,7 @@ struct Link {
   std::vector<Visual> visuals;
   std::vector<Sensor> sensors;
   std::vector<Light> lights;
+  std::vector<ParticleEmitter> emitters;
   /// `<gravity>`
   bool gravity = true;
   /// `<kinematic>`

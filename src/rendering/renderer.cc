@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "rendering/billboards.hh"
 #include "rendering/frame.hh"
 #include "rendering/gl.hh"
 #include "rendering/lighting.hh"
@@ -112,6 +113,7 @@ class Renderer::Content {
       }
       drawInColors(*item, view.X_WorldEye.position);
     }
+    if (!scene.billboards().empty()) drawBillboards(scene, view, clip);
     gl_.disable(GL_BLEND);
     gl_.depthMask(GL_TRUE);
     lines_.draw(view, clip);
@@ -206,6 +208,15 @@ class Renderer::Content {
     gl_.enable(GL_DEPTH_TEST);
   }
 
+  void drawBillboards(const Scene& scene, const PictureView& view, const Matrix4d& clip) {
+    if (billboards_ == nullptr) billboards_ = std::make_unique<Billboards>(gl_);
+    gl_.enable(GL_BLEND);
+    gl_.blendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.depthMask(GL_FALSE);
+    gl_.disable(GL_CULL_FACE);
+    billboards_->draw(scene.billboards(), view, clip, store_);
+  }
+
   void useMaps(const Item& item) {
     const auto& pictures = item.pictures;
     if (pictures[kColorMap] != nullptr) store_.use(0, pictures[kColorMap], true);
@@ -269,6 +280,7 @@ class Renderer::Content {
   /// Created for the first picture of the kind.
   std::unique_ptr<NumberPass> numberPass_;
   std::unique_ptr<TemperaturePass> temperaturePass_;
+  std::unique_ptr<Billboards> billboards_;
   std::vector<float> values_;
   Program sky_;
   Lines lines_;

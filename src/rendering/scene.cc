@@ -132,6 +132,31 @@ SeenVisual seenOf(const world::Entities& entities, const world::LinkRecord& link
   return seen;
 }
 
+/// @param range Null: none.
+/// @return The colour of a particle at a share of its life.
+Eigen::Vector4f colorAt(const description::ParticleEmitter& emitter, const assets::Picture* range, double share) {
+  const auto vectorOf = [](const description::Color& color) {
+    return Eigen::Vector4f(color.red, color.green, color.blue, color.alpha);
+  };
+  if (range == nullptr || range->width == 0) {
+    const auto part = static_cast<float>(share);
+    return vectorOf(emitter.colorStart) * (1 - part) + vectorOf(emitter.colorEnd) * part;
+  }
+  // between two pixels of the first row
+  const double place = share * static_cast<double>(range->width - 1);
+  const auto left = std::min(static_cast<std::size_t>(place), range->width - 1);
+  const std::size_t right = std::min(left + 1, range->width - 1);
+  const auto part = static_cast<float>(place - static_cast<double>(left));
+  Eigen::Vector4f color;
+  for (int i = 0; i < 4; ++i) {
+    const auto channel = static_cast<std::size_t>(i);
+    color[i] = (static_cast<float>(range->pixels[4 * left + channel]) * (1 - part) +
+                static_cast<float>(range->pixels[4 * right + channel]) * part) /
+               255;
+  }
+  return color;
+}
+
 bool holds(const world::Entities& entities, Slot outer, Slot model) {
   while (model != outer && model != world::kNoSlot) model = entities.models()[model].parent;
   return model == outer;
@@ -171,6 +196,14 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
       visuals_.push_back(seen);
       addVisual(visual, prototype, "visual '" + visual.name + "' of link '" + link.description->name + "'",
                 diagnostics);
+    }
+    for (const description::ParticleEmitter& emitter : link.description->emitters) {
+      picturesOf(emitter,
+                 [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
+                   std::string text = kind + " '" + file.string() + "' " + problem.text +
+                                      ": cameras will not see it on particles of '" + emitter.name + "'";
+                   if (said_.insert(text).second) diagnostics.warning(emitter.position, std::move(text), problem.hint);
+                 });
     }
   }
   for (const world::ActorRecord& actor : world::present(entities.actors())) addActor(*actor.description, diagnostics);
@@ -260,6 +293,31 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
     entry->second = std::make_shared<const assets::Picture>(std::move(std::get<0>(read)));
   }
   return entry->second;
+}
+
+std::array<std::shared_ptr<const assets::Picture>, 2> Scene::picturesOf(const description::ParticleEmitter& emitter,
+                                                                        const Warn& warn) {
+  std::filesystem::path albedo;
+  if (emitter.material && emitter.material->metal) albedo = emitter.material->metal->maps.albedo.file;
+  if (emitter.material && emitter.material->gloss) albedo = emitter.material->gloss->maps.albedo.file;
+  return {pictureOf(albedo, warn), pictureOf(emitter.colorRange.file, warn)};
+}
+
+void Scene::place(const world::Particles& particles, const world::Entities& entities, Time time) {
+  billboards_.clear();
+  for (const world::Emitter& emitter : particles.emitters()) {
+    if (emitter.particles.empty() || entities.slot(emitter.link) == world::kNoSlot) continue;
+    // `build` has warned of them
+    const auto [picture, range] = picturesOf(emitter.now, [](const auto&...) {});
+    const description::Color tint =
+        emitter.now.material ? emitter.now.material->diffuse : description::Color{1, 1, 1, 1};
+    for (const world::Particle& particle : emitter.particles) {
+      const world::PlacedParticle placed = world::placed(emitter, particle, time);
+      const Eigen::Vector4f color = colorAt(emitter.now, range.get(), placed.share)
+                                        .cwiseProduct(Eigen::Vector4f(tint.red, tint.green, tint.blue, tint.alpha));
+      billboards_.push_back({placed.place, placed.width / 2, placed.height / 2, color, picture});
+    }
+  }
 }
 
 std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& heat, const Warn& warn) {

@@ -25,6 +25,7 @@
 #include "rendering/surface.hh"
 #include "world/entities.hh"
 #include "world/new_color.hh"
+#include "world/particles.hh"
 #include "world/state.hh"
 
 namespace pongsim::rendering {
@@ -82,6 +83,18 @@ struct Lamp {
   Pose X_WorldLight;
 };
 
+/// A particle: a rectangle parallel to the image.
+struct Billboard {
+  /// Of its centre, in the world frame.
+  Vector3 place;
+  /// [m]
+  double halfWidth = 0;
+  double halfHeight = 0;
+  Eigen::Vector4f color;
+  /// Null: none.
+  std::shared_ptr<const assets::Picture> picture;
+};
+
 /// A part of a mesh file.
 struct MeshPartLook {
   std::shared_ptr<const Surface> surface;
@@ -108,12 +121,17 @@ class Scene {
   /// @param colors Red, green, blue, 0 to 1.
   void paint(const std::map<VisualId, world::NewColor>& colors);
 
+  /// Replaces all particles.
+  /// @param time Now.
+  void place(const world::Particles& particles, const world::Entities& entities, Time time);
+
   /// Updates the poses of what has moved, and the lights.
   /// @param state Of the same entities.
   void update(const world::Entities& entities, const world::State& state);
 
   const std::vector<Item>& items() const { return items_; }
   const std::vector<Lamp>& lamps() const { return lamps_; }
+  const std::vector<Billboard>& billboards() const { return billboards_; }
   /// See `CameraScene::visuals`.
   const std::vector<SeenVisual>& visuals() const { return visuals_; }
   const description::Scene& surroundings() const { return surroundings_; }
@@ -138,6 +156,9 @@ class Scene {
   void pose(const world::State& state);
 
   std::shared_ptr<const assets::Picture> pictureOf(const std::filesystem::path& file, const Warn& warn);
+  /// @return The images of an emitter: that of its particles, and that of their colours.
+  std::array<std::shared_ptr<const assets::Picture>, 2> picturesOf(const description::ParticleEmitter& emitter,
+                                                                   const Warn& warn);
 
   /// @return What `thermal` says of a visual.
   std::optional<Warmth> warmthOf(const std::optional<description::Heat>& heat, const Warn& warn);
@@ -147,6 +168,7 @@ class Scene {
   /// Of the world's atmosphere [K].
   double airTemperature_ = 0;
   std::vector<Lamp> lamps_;
+  std::vector<Billboard> billboards_;
   description::Scene surroundings_;
   std::optional<Vector3> background_;
   std::optional<Vector3> ambient_;

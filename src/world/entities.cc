@@ -93,7 +93,7 @@ void Entities::addLinks(Slot model, const Pose& X_WorldModel) {
         {LinkId{nextId()}, &link, model, models_[model].isStatic, X_WorldModel * link.X_ModelLink, collisions_.size()});
     slotOfId_.add(links_.back().id.value, slot);
     models_[model].links.push_back(slot);
-    lastId_ += link.visuals.size();
+    lastId_ += link.visuals.size() + link.emitters.size();
     for (const description::Collision& collision : link.collisions) {
       collisions_.push_back({CollisionId{nextId()}, &collision, slot});
       slotOfId_.add(collisions_.back().id.value, collisions_.size() - 1);

@@ -56,6 +56,13 @@ class PONGSIM_API BeamScene {
   void cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
             std::uint32_t visibilityMask, std::span<Echo> echoes, std::span<std::optional<LinkId>> targets);
 
+  /// Lets particles of the world's emitters scatter the beams, as in Fortress (docs/sensors.md). Which beams depends on
+  /// the sensor's name, the run's seed and the time.
+  /// @param directions, minRange, maxRange As for `cast`.
+  /// @param echoes From `cast`.
+  void scatter(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
+               std::span<Echo> echoes);
+
  private:
   struct Content;
   std::unique_ptr<Content> content_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
@@ -72,6 +73,11 @@ class PONGSIM_API CameraScene {
   /// @param depths Distance along x at the centre of each pixel [m]; infinite where nothing is visible. Row by row from
   /// the top; width height values.
   void drawDepths(const PictureView& view, std::span<float> depths);
+
+  /// Lets particles of the world's emitters scatter the light of a depth camera, as in Fortress (docs/sensors.md).
+  /// @param camera A name: which pixels are hit depends on it, the run's seed and the time.
+  /// @param depths As from `drawDepths`.
+  void scatterDepths(const PictureView& view, std::string_view camera, std::span<float> depths);
 
   /// @return All visuals, at the last `rebuild` or `update`.
   const std::vector<SeenVisual>& visuals() const;

@@ -129,6 +129,7 @@ void CameraSensor::drawColors() {
 void CameraSensor::drawDepths() {
   depths_.resize(std::size_t{settings_.width} * settings_.height);
   body_.scene().drawDepths(depthView_, depths_);
+  body_.scene().scatterDepths(depthView_, body_.sensor().scopedName(), depths_);
   if (!depthNoise_.isOn()) return;
   shifts_.assign(depths_.size(), 0);
   for (std::size_t i = 0; i < depths_.size(); ++i) {

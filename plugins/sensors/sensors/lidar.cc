@@ -95,6 +95,7 @@ void LidarSensor::measure() {
   LaserScan& scan = message();
   surroundings_.now().cast(sensor_, directions_, settings_.minRange, settings_.maxRange, settings_.visibilityMask,
                            echoes_);
+  surroundings_.now().scatter(sensor_, directions_, settings_.minRange, settings_.maxRange, echoes_);
   setPose(sensor_.pose(), *scan.mutable_world_pose());
   double* ranges = scan.mutable_ranges()->mutable_data();
   double* intensities = scan.mutable_intensities()->mutable_data();

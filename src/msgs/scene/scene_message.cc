@@ -6,10 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "msgs/scene/emitter_message.hh"
 #include "msgs/scene/geometry_message.hh"
 #include "msgs/scene/light_message.hh"
 #include "msgs/scene/material_message.hh"
 #include "pongsim/messages/fields.hh"
+#include "world/particles.hh"
 
 namespace pongsim::msgs {
 
@@ -63,6 +65,9 @@ class SceneWriter {
       if (const auto material = materialNow(visual, visualId(link, i), changed_)) {
         setMaterial(*material, *added.mutable_material());
       }
+    }
+    for (std::size_t i = 0; i < link.description->emitters.size(); ++i) {
+      setEmitter(link.description->emitters[i], world::emitterId(link, i).value, *message.add_particle_emitter());
     }
     for (const world::LightRecord& light : entities_.lights()) {
       if (light.link == slot) writeLight(light, numberOf(link.id), *message.add_light());
@@ -155,6 +160,9 @@ std::string sceneGraph(const world::Entities& entities) {
   for (const world::LinkRecord& link : world::present(entities.links())) {
     for (std::size_t i = 0; i < link.description->visuals.size(); ++i) {
       graph.add(link.id, visualId(link, i), link.description->visuals[i].name);
+    }
+    for (std::size_t i = 0; i < link.description->emitters.size(); ++i) {
+      graph.add(link.id, world::emitterId(link, i), link.description->emitters[i].name);
     }
   }
   for (const world::LightRecord& light : world::present(entities.lights())) {

@@ -17,6 +17,7 @@
 #include "sim/levels.hh"
 #include "world/entities.hh"
 #include "world/new_color.hh"
+#include "world/particles.hh"
 #include "world/state.hh"
 
 namespace pongsim {
@@ -88,6 +89,13 @@ class Access {
   std::map<VisualId, world::NewColor> colors = {};
   /// The noise of sensors; several where several systems simulate one.
   std::multimap<SensorId, NoiseSet*> noises = {};
+  /// Ask `particlesNow`.
+  world::Particles particles = {};
+  /// @return The particles of the present emitters.
+  world::Particles& particlesNow() {
+    particles.follow(entities, changes);
+    return particles;
+  }
   /// For each name N, the number of names N_0, N_1, ... known to be taken; valid until an entity is removed.
   struct TakenNames {
     std::uint64_t removals = 0;

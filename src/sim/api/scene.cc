@@ -1,7 +1,10 @@
 #include "pongsim/scene.hh"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
+#include "msgs/scene/emitter_message.hh"
 #include "msgs/scene/full_path.hh"
 #include "msgs/scene/gui_message.hh"
 #include "msgs/scene/scene_message.hh"
@@ -57,6 +60,33 @@ std::vector<ActorPlace> Scene::actors() const {
     places.push_back({actor.id, actor.description->name, msgs::pathOf(actor.description->skin)});
   }
   return places;
+}
+
+std::vector<EmitterPlace> Scene::emitters() const {
+  std::vector<EmitterPlace> places;
+  for (const world::Emitter& emitter : access_->particlesNow().emitters()) {
+    if (access_->entities.slot(emitter.link) == world::kNoSlot) continue;
+    places.push_back({emitter.id, emitter.now.name, emitter.link, emitter.now.topic});
+  }
+  return places;
+}
+
+void Scene::fillInEmitter(EmitterId id, Message& emitter) const {
+  const world::Emitter* found = access_->particlesNow().find(id);
+  if (found == nullptr)
+    throw Gone("the particle emitter with the id " + std::to_string(id.value) + " no longer exists");
+  msgs::setEmitter(found->now, id.value, emitter);
+}
+
+Outcome<void> Scene::changeEmitter(EmitterId id, const Message& emitter) {
+  world::Emitter* found = access_->particlesNow().find(id);
+  if (found == nullptr) return {"there is no particle emitter with the id " + std::to_string(id.value)};
+  description::ParticleEmitter changed = msgs::changedEmitter(found->now, emitter);
+  if (const std::string fault = description::faultOf(changed); !fault.empty()) return {fault};
+  if (msgs::beginsEmission(emitter)) found->since = access_->state.time;
+  msgs::mergeEmitter(emitter, found->changes);
+  found->now = std::move(changed);
+  return {};
 }
 
 const Semantics& Scene::semantics(ModelId model) const {

@@ -61,6 +61,7 @@ struct Simulation::Parts {
         systems(access, edits, transport, options.seed, options.strict, place),
         wantsPhysics(options.physics) {
     edits.setSystems(systems);
+    access.particles.setSeed(options.seed);
   }
 
   /// @return The simulation of one of the file's worlds; null, with the reason in `diagnostics`, if it can't run.
@@ -225,6 +226,7 @@ void Simulation::advance(Time dt) {
     if (parts.hasPhysics()) parts.stepEngine(info.dt);
     parts.access.state.time = info.time;
     parts.access.state.iterations = info.iteration;
+    parts.access.particlesNow().advance(parts.access.entities, parts.access.state, toSeconds(info.dt));
   }
   parts.systems.postUpdate(info);
 }
@@ -340,6 +342,8 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   parts_->transport.discard();
   sim::Editor(parts_->access).reset();
   parts_->access.colors.clear();
+  parts_->access.particles.clear();
+  if (seed) parts_->access.particles.setSeed(*seed);
   parts_->access.levels.start();
   parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
@@ -353,6 +357,7 @@ Outcome<void> Simulation::setTime(Time time) {
   if (time < Time::zero()) return {"the time must be zero or more"};
   parts_->access.state.time = time;
   parts_->access.state.iterations = static_cast<std::uint64_t>(time / stepSize());
+  parts_->access.particles.clear();
   parts_->systems.jump();
   return {};
 }

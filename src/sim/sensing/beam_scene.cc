@@ -4,6 +4,7 @@
 
 #include "sensing/scene.hh"
 #include "sim/api/access.hh"
+#include "sim/sensing/scatter.hh"
 
 namespace pongsim {
 
@@ -55,6 +56,13 @@ void BeamScene::cast(const Sensor& sensor, std::span<const Vector3> directions, 
     targets[i].reset();
     if (links[i] != world::kNoSlot) targets[i] = content_->access.entities.links()[links[i]].id;
   }
+}
+
+void BeamScene::scatter(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
+                        std::span<Echo> echoes) {
+  if (content_->access.particlesNow().emitters().empty()) return;
+  sim::Scatter scatter(content_->access, sensor.scopedName());
+  if (scatter.isAnything()) scatter.apply(sensor.pose(), directions, minRange, maxRange, echoes);
 }
 
 }  // namespace pongsim

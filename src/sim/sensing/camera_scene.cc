@@ -10,6 +10,7 @@
 #include "rendering/renderer.hh"
 #include "rendering/scene.hh"
 #include "sim/api/access.hh"
+#include "sim/sensing/scatter.hh"
 
 namespace pongsim {
 
@@ -43,6 +44,7 @@ void CameraScene::update() {
   }
   content_->scene.update(content_->access.entities, content_->access.state);
   content_->scene.paint(content_->access.colors);
+  content_->scene.place(content_->access.particlesNow(), content_->access.entities, content_->access.state.time);
 }
 
 void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {
@@ -51,6 +53,12 @@ void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pi
 
 void CameraScene::drawDepths(const PictureView& view, std::span<float> depths) {
   content_->renderer->drawDepths(content_->scene, view, depths);
+}
+
+void CameraScene::scatterDepths(const PictureView& view, std::string_view camera, std::span<float> depths) {
+  if (content_->access.particlesNow().emitters().empty()) return;
+  sim::Scatter scatter(content_->access, camera);
+  if (scatter.isAnything()) scatter.apply(view, depths);
 }
 
 const std::vector<SeenVisual>& CameraScene::visuals() const { return content_->scene.visuals(); }

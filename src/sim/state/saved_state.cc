@@ -11,6 +11,8 @@
 
 #include "base/hash.hh"
 #include "description/limits.hh"
+#include "description/particle_emitter.hh"
+#include "msgs/scene/emitter_message.hh"
 #include "sim/edits/editor.hh"
 #include "sim/edits/size_edits.hh"
 #include "sim/state/saved_joints.hh"
@@ -39,6 +41,7 @@ std::uint64_t structureOf(const Access& access, const SystemSet& systems) {
     hash.add(link.description->name);
     hash.add(link.description->inertial.mass);
     hash.add(std::uint64_t{link.description->collisions.size()});
+    for (const description::ParticleEmitter& emitter : link.description->emitters) hash.add(emitter.name);
     add(hash, link.X_WorldLinkStart);
   }
   for (const auto& [level, isLoaded] : access.levels.list()) hash.add(level);
@@ -52,12 +55,25 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
+/// Settings and particles of the emitters.
+void transferParticles(StateArchive& archive, world::Particles& particles) {
+  for (world::Emitter& emitter : particles.emitters()) {
+    archive(emitter.changes);
+    if (!archive.isGiving()) continue;
+    const auto now = msgs::emitterAfter(emitter.atStart, emitter.changes);
+    archive.check(now && description::faultOf(*now).empty());
+    emitter.now = *now;
+  }
+  particles.transfer(archive);
+}
+
 void transfer(StateArchive& archive, Access& access) {
   access.levels.transfer(archive);
   world::transfer(archive, access.state);
   transferSizes(archive, access);
   access.engine.transfer(archive);
   if (archive.isGiving()) access.engine.setGravity(access.state.gravity);
+  transferParticles(archive, access.particlesNow());
   for (world::Slot slot = 0; slot < access.entities.models().size(); ++slot) {
     const world::ModelRecord& model = access.entities.models()[slot];
     if (model.canonicalLink != world::kNoSlot) continue;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -75,12 +76,23 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     scene_.update(entities(), state());
   }
 
+  /// Adds an emitter to the link of the last visual. To be called before `start`.
+  description::ParticleEmitter& addEmitter() { return description().models.back().links[0].emitters.emplace_back(); }
+  /// Shows a particle of the first emitter, at a share of its life of two seconds.
+  void show(const Vector3& place, double share) {
+    particles_.follow(entities(), 0);
+    const Time life = std::chrono::seconds(2), born = state().time - fromSeconds(2 * share);
+    particles_.emitters().at(0).particles.push_back({place, Vector3::Zero(), born, born + life});
+    scene_.place(particles_, entities(), state().time);
+  }
+
   void paint(const std::map<VisualId, world::NewColor>& colors) { scene_.paint(colors); }
 
   const Scene& scene() const { return scene_; }
 
  private:
   Scene scene_;
+  world::Particles particles_;
   std::unique_ptr<Renderer> renderer_;
 };
 

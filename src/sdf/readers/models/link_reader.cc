@@ -148,6 +148,10 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
     draft.lights.push_back(readLight(*light, label, context));
     names.claim(draft.lights.back().light.name, light->name, *light, context);
   }
+  for (const Element* emitter : element.childrenNamed("particle_emitter")) {
+    draft.emitters.push_back(readEmitter(*emitter, label, context));
+    names.claim(draft.emitters.back().emitter.name, emitter->name, *emitter, context);
+  }
   return draft;
 }
 
@@ -172,6 +176,9 @@ description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t 
   }
   for (LightDraft& light : draft.lights) {
     link.lights.push_back(finishLight(std::move(light), scope, link.X_ModelLink, context));
+  }
+  for (EmitterDraft& emitter : draft.emitters) {
+    link.emitters.push_back(finishEmitter(std::move(emitter), scope, link.X_ModelLink, context));
   }
   return link;
 }

@@ -9,6 +9,7 @@
 #include "sdf/context.hh"
 #include "sdf/frames/scope.hh"
 #include "sdf/readers/models/auto_inertia.hh"
+#include "sdf/readers/models/emitter_reader.hh"
 #include "sdf/readers/sensors/sensor_reader.hh"
 #include "sdf/readers/worlds/light_reader.hh"
 #include "sdf/text/values.hh"
@@ -32,6 +33,7 @@ struct LinkDraft {
   std::vector<std::optional<double>> densities;
   std::vector<SensorDraft> sensors;
   std::vector<LightDraft> lights;
+  std::vector<EmitterDraft> emitters;
 };
 
 /// @param owner "model 'robot'"

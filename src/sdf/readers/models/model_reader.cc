@@ -8,6 +8,7 @@
 
 #include "base/nearest_word.hh"
 #include "sdf/includes/includes.hh"
+#include "sdf/readers/models/emitter_reader.hh"
 #include "sdf/readers/models/parts_reader.hh"
 #include "sdf/readers/models/semantics_reader.hh"
 #include "sdf/readers/shapes/data_systems.hh"
@@ -85,6 +86,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   model.frames = parts.takeFrames();
   model.models = parts.takeModels();
   model.plugins = parts.takePlugins();
+  addSystemEmitters(model, label, context);
   model.label = readLabel(model.plugins, label, context);
   model.semantics = readSemantics(element, label, context);
   context.urdf = model.urdf.source;
