@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -113,6 +114,9 @@ class Scene {
   /// See `CameraScene::setColors`.
   void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
 
+  /// Adds a light of the world to those of the entities, for good.
+  void addLight(const description::Light& light) { addedLights_.push_back(light); }
+
   /// Collects all visuals, replacing the current ones.
   /// @param diagnostics Warnings about files that can't be read, each given once in the scene's lifetime.
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics);
@@ -168,6 +172,7 @@ class Scene {
   /// Of the world's atmosphere [K].
   double airTemperature_ = 0;
   std::vector<Lamp> lamps_;
+  std::deque<description::Light> addedLights_;
   std::vector<Billboard> billboards_;
   description::Scene surroundings_;
   std::optional<Vector3> background_;

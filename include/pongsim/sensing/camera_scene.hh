@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pongsim/appearance.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
@@ -57,6 +58,9 @@ class PONGSIM_API CameraScene {
 
   /// Colours that replace those of the world's `<scene>`: red, green, blue, 0 to 1. Call it before `rebuild`.
   void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
+
+  /// Adds a light to those of the world, for good.
+  void addLight(const VisibleLight& light);
 
   /// Adds visuals and lights, and reads mesh and texture files. Call it first, and after models were added or removed
   /// (`System::worldChanged`).

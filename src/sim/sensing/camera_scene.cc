@@ -1,5 +1,6 @@
 #include "pongsim/sensing/camera_scene.hh"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,6 +30,26 @@ CameraScene::~CameraScene() = default;
 
 void CameraScene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
   content_->scene.setColors(background, ambient);
+}
+
+void CameraScene::addLight(const VisibleLight& light) {
+  using enum description::LightType;
+  description::Light added;
+  added.name = light.name;
+  added.type = light.type == VisibleLight::Type::kPoint  ? kPoint
+               : light.type == VisibleLight::Type::kSpot ? kSpot
+                                                         : kDirectional;
+  added.X_ParentLight = light.X_WorldLight;
+  if (light.type != VisibleLight::Type::kPoint) added.direction = light.direction;
+  added.diffuse = {static_cast<float>(light.diffuse.x()), static_cast<float>(light.diffuse.y()),
+                   static_cast<float>(light.diffuse.z()), 1};
+  added.range = std::numeric_limits<double>::infinity();
+  added.constantAttenuation = light.constantAttenuation;
+  added.linearAttenuation = light.linearAttenuation;
+  added.quadraticAttenuation = light.quadraticAttenuation;
+  added.outerAngle = light.outerAngle;
+  added.falloff = light.falloff;
+  content_->scene.addLight(added);
 }
 
 void CameraScene::rebuild(Diagnostics& diagnostics) {
