@@ -1,4 +1,4 @@
-import { Sphere, type Vector3, type WebGLRenderer, WebGLRenderTarget } from 'three';
+import { Sphere, type Vector3, type WebGLRenderer } from 'three';
 
 import { type Direction, OrbitCamera } from './camera/orbit_camera.ts';
 import { keyMove } from './camera/keys.ts';
@@ -6,6 +6,7 @@ import { AdaptiveResolution } from './camera/adaptive_resolution.ts';
 import { Pointer } from './camera/pointer.ts';
 import { fillWithCanvas } from './canvas.ts';
 import { hasWebGl, makeRenderer } from './draw/renderer.ts';
+import { Shadows } from './draw/shadows.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, SceneMessage } from './messages.ts';
 import { Cloud } from './overlays/cloud.ts';
@@ -93,8 +94,7 @@ export class View {
   private requestedAt = 0;
   private took = 0;
   private rest: ReturnType<typeof setTimeout> | undefined;
-  private needsShadows = true;
-  private tiny: WebGLRenderTarget | null = null;
+  private readonly shadows: Shadows;
 
   /// Whether this browser supports 3D graphics (WebGL 2).
   static supported(): boolean {
@@ -117,6 +117,7 @@ export class View {
       problem: (text) => options.onProblem?.(text),
       styleOf: (place) => ({ wireframe: this.has('wireframe', place), transparent: this.has('transparent', place) }),
     });
+    this.shadows = new Shadows(this.renderer, this.stage, this.orbitCamera.camera);
     const invalidate = () => this.invalidate();
     this.marked = new Marked(this.stage, this.shown, invalidate);
     this.scans = new Sensed(this.stage, () => new Scan());
@@ -180,7 +181,7 @@ export class View {
   }
 
   private sceneChanged(): void {
-    this.needsShadows = true;
+    this.shadows.changed();
     this.invalidate();
   }
 
@@ -210,10 +211,11 @@ export class View {
   /// Renders in full resolution, when nothing moves any more.
   private drawWhole(scale: number): void {
     this.setScale(scale);
-    this.draw();
+    this.draw(true);
   }
 
-  private draw(): void {
+  /// @param isStill Whether the picture stays.
+  private draw(isStill = false): void {
     const moved = this.stage.moveMoved();
     for (const id of moved) {
       this.marked.move(id);
@@ -229,27 +231,14 @@ export class View {
       this.scans.update();
       this.clouds.update();
     }
-    this.renewShadows(moved.length > 0);
+    const isHurried = !isStill && (this.fullScale > 1 || this.resolution.isReduced);
+    const hasContact = this.wantsShadows && this.sceneShadows && !this.isAsCameras && !isHurried;
+    this.shadows.renew(this.orbitCamera.target, moved.length > 0, hasContact);
     this.stage.batches.arrange(this.orbitCamera.camera, this.renderer.domElement.height);
     this.renderer.render(this.stage.root, this.orbitCamera.camera);
     ++this.frames;
     this.lastRender = { drawCalls: this.renderer.info.render.calls, triangles: this.renderer.info.render.triangles };
     this.silhouette.render(this.renderer, this.orbitCamera.camera);
-  }
-
-  /// Renders the shadows if they have changed; in a large scene, the region with shadows follows the target.
-  private renewShadows(hasMoved: boolean): void {
-    if (!this.stage.aimShadows(this.orbitCamera.target, hasMoved || this.needsShadows)) return;
-    this.needsShadows = false;
-    const { renderer, stage } = this;
-    renderer.shadowMap.needsUpdate = true;
-    if (!stage.batches.showCasters(true)) return;
-    // of crowds, coarse shapes cast the shadows, and the image shows others: so the shadows have a rendering of their own
-    this.tiny ??= new WebGLRenderTarget(1, 1);
-    renderer.setRenderTarget(this.tiny);
-    renderer.render(stage.root, this.orbitCamera.camera);
-    renderer.setRenderTarget(null);
-    stage.batches.showCasters(false);
   }
 
   /// Sets a complete ignition.msgs.Scene. Entities that it still contains keep their poses, and their files are not
@@ -485,7 +474,7 @@ export class View {
     this.handles.dispose();
     this.silhouette.dispose();
     this.measure.dispose();
-    this.tiny?.dispose();
+    this.shadows.dispose();
     this.scans.clear();
     this.clouds.clear();
     this.contacts.clear();

@@ -59,6 +59,37 @@ describe('the looks of the view', { skip: browser.without }, () => {
     assert.ok(Math.abs(left[0] - right[0]) > 12, `${left} ${right}`);
   });
 
+  test('bodies darken the ground where they stand, and not where they hover', async () => {
+    // without a sun, so without its shadows
+    const on = (height) => scenes.scene([scenes.ground, scenes.model(10, [0, 0, height + 0.5], scenes.box(1, 1, 1))], { light: [] });
+    // on the ground, 5 cm before the foot of the box: 2.45 m ahead of the eye and 1.5 m below it, where it looks 26.6 degrees down
+    const eye = { position: [-3, 0, 1.5], orientation: [0, 0.2298, 0, 0.9732] };
+    const foot = 0.5 + Math.tan(Math.atan2(1.5, 2.45) - 0.4637) / Math.tan(1.05 / 2) / 2;
+    const atFoot = () => colorAt(0.5, foot);
+    await show(on(1), eye);
+    const [bright] = await atFoot();
+    await show(on(0), eye);
+    const [dark] = await atFoot();
+    assert.ok(dark < bright - 12, `${dark} ${bright}`);
+    // the whole ground is not darker
+    assert.ok(Math.abs((await colorAt(0.1, 0.9))[0] - bright) < 3);
+    // it is cast by what is in the world now
+    const moveTo = (z) => tab.evaluate((height) => window.view.applyFrame({
+      timeNs: 0n, revision: 0, ids: new Uint32Array([10, 11]),
+      poses: new Float32Array([0, 0, height, 0, 0, 0, 1, 0, 0, height, 0, 0, 0, 1]),
+    }), z);
+    await moveTo(1.5);
+    assert.ok(Math.abs((await atFoot())[0] - bright) < 3);
+    await moveTo(0.5);
+    for (const [off, back] of [['setShadows(false)', 'setShadows(true)'], ['setAsCameras(true)', 'setAsCameras(false)']]) {
+      await tab.evaluate(`window.view.${off}`);
+      const [without] = await atFoot();
+      assert.ok(without > dark + 12, `${off}: ${without} ${dark}`);
+      await tab.evaluate(`window.view.${back}`);
+    }
+    assert.ok(Math.abs((await atFoot())[0] - dark) < 3);
+  });
+
   test('of three thousand spheres few triangles are drawn, and those out of view cast their shadows', async () => {
     const sphere = { type: scenes.type.sphere, sphere: { radius: 0.5 } };
     const models = Array.from({ length: 3000 }, (_, i) =>

@@ -11,7 +11,9 @@ import {
   type Raycaster,
 } from 'three';
 
+import { GeometryType } from '../messages.ts';
 import type { Visual } from '../scene/content.ts';
+import { contactLayer } from './contact_shadow.ts';
 import { Crowd, crowdSize, sightOf } from './crowd.ts';
 import { Materials, type Style } from './materials.ts';
 import type { Paint } from './paint.ts';
@@ -35,9 +37,10 @@ class Batch {
   mesh: InstancedMesh;
   crowd: Crowd | null = null;
 
-  constructor(geometry: BufferGeometry, material: InstancedMesh['material'], castsShadows: boolean) {
+  constructor(geometry: BufferGeometry, material: InstancedMesh['material'], castsShadows: boolean, isGround: boolean) {
     this.mesh = new InstancedMesh(geometry, material, 4);
     this.mesh.castShadow = castsShadows;
+    if (castsShadows && !isGround) this.mesh.layers.enable(contactLayer);
     this.prepare();
   }
 
@@ -64,6 +67,7 @@ class Batch {
     const before = this.mesh;
     this.mesh = new InstancedMesh(before.geometry, before.material, before.instanceMatrix.count * 2);
     this.mesh.castShadow = before.castShadow;
+    this.mesh.layers.mask = before.layers.mask;
     this.mesh.instanceMatrix.array.set(before.instanceMatrix.array);
     const white = new Color(1, 1, 1);
     this.mesh.setColorAt(0, white);
@@ -83,6 +87,8 @@ interface Seat {
 /// All visible surfaces of a scene. Per frame, only moving items cost anything: a matrix each.
 export class Batches {
   readonly group = new Group();
+  /// The items that are planes.
+  readonly planes: Item[] = [];
   private readonly batches = new Map<string, Batch>();
   private readonly seats = new Map<number, { item: Item; seat: Seat }[]>();
   private readonly casters = new Map<number, Box3>();
@@ -96,6 +102,7 @@ export class Batches {
       crowd?.dispose();
     }
     this.group.clear();
+    this.planes.length = 0;
     this.batches.clear();
     this.seats.clear();
     this.casters.clear();
@@ -103,11 +110,13 @@ export class Batches {
 
   add(item: Item, style: Style, M_WorldPlace: Matrix4): void {
     if (item.paint.opacity <= 0) return;
+    const isPlane = item.visual.geometry.type === GeometryType.plane;
+    if (isPlane) this.planes.push(item);
     const castsShadows = item.castsShadows && !style.transparent && !style.wireframe;
     const key = `${item.geometryKey}|${castsShadows}|${this.materials.key(item.paint, style)}`;
     let batch = this.batches.get(key);
     if (batch === undefined) {
-      batch = new Batch(item.geometry, this.materials.get(item.paint, style), castsShadows);
+      batch = new Batch(item.geometry, this.materials.get(item.paint, style, isPlane), castsShadows, item.isGround);
       this.batches.set(key, batch);
       this.group.add(batch.mesh);
     }

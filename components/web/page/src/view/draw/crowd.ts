@@ -65,6 +65,7 @@ export class Crowd {
     }
     if (this.caster) {
       this.caster.castShadow = true;
+      this.caster.layers.mask = all.layers.mask;
       this.caster.visible = false;
     }
     all.castShadow = false;

@@ -8,8 +8,10 @@ import {
   NoColorSpace,
   SRGBColorSpace,
   Vector4,
+  type WebGLProgramParametersWithUniforms,
 } from 'three';
 
+import { contactChunks, contactShadow } from './contact_shadow.ts';
 import type { Textures } from './textures.ts';
 import type { Paint } from './paint.ts';
 
@@ -82,11 +84,12 @@ export class Materials {
     return JSON.stringify({ ...paint, diffuse: undefined, ...style });
   }
 
-  get(paint: Paint, style: Style): Material {
-    const key = this.key(paint, style);
+  /// @param isPlane Whether bodies may stand on it, and darken it there.
+  get(paint: Paint, style: Style, isPlane = false): Material {
+    const key = `${isPlane}|${this.key(paint, style)}`;
     const known = this.materials.get(key);
     if (known !== undefined) return known;
-    const made = paint.isLit ? this.lit(paint) : this.unlit(paint);
+    const made = paint.isLit ? this.lit(paint, isPlane) : this.unlit(paint);
     const opacity = style.transparent ? Math.min(paint.opacity, 0.4) : paint.opacity;
     made.opacity = opacity;
     made.transparent = opacity < 1;
@@ -100,7 +103,7 @@ export class Materials {
     return made;
   }
 
-  private lit(paint: Paint): MeshPhysicalMaterial {
+  private lit(paint: Paint, isPlane: boolean): MeshPhysicalMaterial {
     const material = new MeshPhysicalMaterial({
       metalness: paint.metalness,
       roughness: Math.max(paint.roughness, 0.06),
@@ -120,7 +123,9 @@ export class Materials {
       shader.fragmentShader = shader.fragmentShader
         .replace('#include <lights_pars_begin>', `uniform vec3 mirroredSky;\n${this.lightsChunk}`)
         .replace('#include <lights_fragment_end>', `#include <lights_fragment_end>\n${mirroring}`);
+      if (isPlane) addContactShadow(shader);
     };
+    material.customProgramCacheKey = () => String(isPlane);
     return material;
   }
 
@@ -134,4 +139,11 @@ export class Materials {
     for (const material of this.materials.values()) material.dispose();
     this.materials.clear();
   }
+}
+
+function addContactShadow(shader: WebGLProgramParametersWithUniforms): void {
+  Object.assign(shader.uniforms, contactShadow);
+  const { vertexHead, vertex, fragmentHead, fragment } = contactChunks;
+  shader.vertexShader = vertexHead + shader.vertexShader.replace('#include <project_vertex>', `#include <project_vertex>\n${vertex}`);
+  shader.fragmentShader = fragmentHead + shader.fragmentShader.replace('#include <opaque_fragment>', `${fragment}#include <opaque_fragment>`);
 }

@@ -120,3 +120,14 @@ test('a file that is not there is told of once', async () => {
   await new Promise((resolve) => setImmediate(resolve));
   assert.deepEqual(problems, ["'/lost.stl' of visual 'v' can't be shown: it is gone"]);
 });
+
+test('the floor is as high as the largest horizontal plane', () => {
+  const plane = (id: number, size: number, normal: object, z = 0) => ({
+    id, pose: { position: { z } }, link: [{
+      id: id + 1, visual: [{ id: id + 2, geometry: { type: GeometryType.plane, plane: { normal, size: { x: size, y: size } } } }],
+    }],
+  });
+  const up = { z: 1 };
+  assert.equal(stageOf({ model: [plane(1, 50, { x: 1 }), plane(4, 50, { z: -1 })] }).floorHeight(), null);
+  assert.equal(stageOf({ model: [plane(1, 50, { x: 1 }), plane(4, 4, up), plane(7, 10, up, 2)] }).floorHeight(), 2);
+});

@@ -19,6 +19,9 @@ import type { Surface } from '../overlays/silhouette.ts';
 import { type Content, type Shape, type Visual, contentOf, isWithin } from './content.ts';
 import { Places } from './places.ts';
 
+// of the angle to the horizontal up to which a plane is ground on which bodies stand: half a degree
+const levelCosine = 0.99996;
+
 export interface StageOptions {
   asset: FetchAsset;
   /// Called when a new frame has to be drawn.
@@ -242,6 +245,28 @@ export class Stage {
     this.region = region;
     this.lights.aimShadows(region);
     return true;
+  }
+
+  /// Where there are shadows; null: nowhere.
+  get shadowed(): Sphere | null {
+    return this.region;
+  }
+
+  /// The height of the largest horizontal plane; null: there is none.
+  floorHeight(): number | null {
+    let largest = 0;
+    let height: number | null = null;
+    for (const item of this.batches.planes) {
+      const M_WorldPlace = this.places.matrix(item.visual.place, this.matrix);
+      if (!M_WorldPlace) continue;
+      const M_WorldForm = M_WorldPlace.multiply(item.M_PlaceForm);
+      const [x, y, z] = [0, 1, 2].map((axis) => new Vector3().setFromMatrixColumn(M_WorldForm, axis)) as [Vector3, Vector3, Vector3];
+      const area = x.cross(y).length();
+      if (area <= largest || z.normalize().z < levelCosine) continue;
+      largest = area;
+      height = M_WorldForm.elements[14]!;
+    }
+    return height;
   }
 
   private boundsOfCasters(): Box3 {
