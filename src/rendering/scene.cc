@@ -354,7 +354,7 @@ void Scene::update(const world::Entities& entities, const world::State& state) {
     const Pose X_WorldParent = record.link == world::kNoSlot ? Pose() : state.links[record.link].X_WorldLink;
     lamps_.push_back({light, X_WorldParent * light.X_ParentLight});
   }
-  for (const description::Light& light : addedLights_) lamps_.push_back({&light, light.X_ParentLight});
+  for (const description::Light& light : addedLights_) lamps_.push_back({light, light.X_ParentLight});
 }
 
 void Scene::pose(const world::State& state) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -172,7 +171,7 @@ class Scene {
   /// Of the world's atmosphere [K].
   double airTemperature_ = 0;
   std::vector<Lamp> lamps_;
-  std::deque<description::Light> addedLights_;
+  std::vector<description::Light> addedLights_;
   std::vector<Billboard> billboards_;
   description::Scene surroundings_;
   std::optional<Vector3> background_;

@@ -17,7 +17,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 // Systems that only read poses. Those that need velocities or forces are not among them.
-constexpr std::array<std::string_view, 12> kLooking{"scene-broadcaster",
+constexpr std::array<std::string_view, 14> kLooking{"scene-broadcaster",
                                                     "sensors",
                                                     "pose-publisher",
                                                     "joint-state-publisher",
@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 12> kLooking{"scene-broadcaster",
                                                     "thermal",
                                                     "thermal-sensor",
                                                     "label",
+                                                    "particle-emitter",
+                                                    "particle-emitter2",
                                                     "logicalaudiosensorplugin"};
 
 void removePlugins(XMLElement& element) {

@@ -47,8 +47,8 @@ struct PictureView {
 /// The visuals and lights of a world, for cameras, drawn by OpenGL without a graphics card or display.
 ///
 /// The same world and view give the same bits on the same machine, for any number of threads. Use it on one thread at a
-/// time. `rebuild` and `update` read the world, and are for its thread; another thread may draw while the world goes
-/// on.
+/// time. `rebuild`, `update` and `scatterDepths` read the world, and are for its thread; another thread may draw while the
+/// world goes on.
 class PONGSIM_API CameraScene {
  public:
   /// A scene without visuals; call `rebuild`.

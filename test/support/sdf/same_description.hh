@@ -39,6 +39,7 @@ class PositionEraser {
         erasePlugins(visual);
       }
       for (description::Light& light : link.lights) light.position = {};
+      for (description::ParticleEmitter& emitter : link.emitters) emitter.position = {};
       eraseSensors(link);
     }
     for (description::Model& inner : model.models) erase(inner);
