@@ -89,7 +89,9 @@ class Recorder {
       if (now % 50 == 0 && now > 0 && now / 50 <= commands_.size()) tell(commands_[now / 50 - 1]);
       simulation_->step(1);
     }
-    simulation_->transport().dispatch();
+    // messages in transit are not part of a saved state; those that systems send in reply are in transit again
+    for (int i = 0; i < 10 && simulation_->transport().dispatch() > 0; ++i) {
+    }
     messages_.push_back("state " + std::to_string(simulation_->stateHash()));
     return std::exchange(messages_, {});
   }
