@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <stdexcept>
+
 namespace pongsim::rendering {
 
 /// An OpenGL context, core profile 4.5, without a window.
@@ -16,6 +19,18 @@ class Context {
 
   /// @return An OpenGL function, while bound; null if there is none with this name.
   virtual Function function(const char* name) const = 0;
+};
+
+/// There is no graphics card.
+class NoCard : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What draws, and what draws instead once that can't; null: nothing.
+struct Contexts {
+  std::unique_ptr<Context> first;
+  std::unique_ptr<Context> spare = nullptr;
 };
 
 /// Keeps a context bound for its own lifetime.

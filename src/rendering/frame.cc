@@ -55,8 +55,10 @@ void Frame::addSamples(GLsizei samples, GLenum format, GLenum place, GLuint& tex
 
 void Frame::check() const {
   if (gl_.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("this OpenGL can't draw a picture of " + std::to_string(width_) + " x " +
-                             std::to_string(height_) + " pixels");
+    // the next picture is not to blame for it
+    const bool lacksMemory = gl_.getError() == GL_OUT_OF_MEMORY;
+    throw std::runtime_error("this OpenGL " + std::string(lacksMemory ? "has no memory left for" : "can't draw") +
+                             " a picture of " + std::to_string(width_) + " x " + std::to_string(height_) + " pixels");
   }
 }
 

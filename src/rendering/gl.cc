@@ -11,4 +11,11 @@ Gl::Function Gl::find(const char* name) const {
   return function;
 }
 
+void Gl::check() const {
+  const GLenum error = getError();
+  if (error == GL_NO_ERROR) return;
+  throw std::runtime_error(error == GL_OUT_OF_MEMORY ? "OpenGL has no memory left"
+                                                     : "OpenGL failed with error " + std::to_string(error));
+}
+
 }  // namespace pongsim::rendering

@@ -24,6 +24,9 @@ class Gl {
   /// @throws std::runtime_error if it lacks one of them.
   explicit Gl(const Context& context) : context_(context) {}
 
+  /// @throws std::runtime_error if it has refused something since the last call, such as memory.
+  void check() const;
+
   PFNGLACTIVETEXTUREPROC activeTexture = find("glActiveTexture");
   PFNGLATTACHSHADERPROC attachShader = find("glAttachShader");
   PFNGLBINDBUFFERPROC bindBuffer = find("glBindBuffer");
@@ -67,11 +70,13 @@ class Gl {
   PFNGLGENTEXTURESPROC genTextures = find("glGenTextures");
   PFNGLGENVERTEXARRAYSPROC genVertexArrays = find("glGenVertexArrays");
   PFNGLGENERATEMIPMAPPROC generateMipmap = find("glGenerateMipmap");
+  PFNGLGETERRORPROC getError = find("glGetError");
   PFNGLGETINTEGERVPROC getIntegerv = find("glGetIntegerv");
   PFNGLGETPROGRAMINFOLOGPROC getProgramInfoLog = find("glGetProgramInfoLog");
   PFNGLGETPROGRAMIVPROC getProgramiv = find("glGetProgramiv");
   PFNGLGETSHADERINFOLOGPROC getShaderInfoLog = find("glGetShaderInfoLog");
   PFNGLGETSHADERIVPROC getShaderiv = find("glGetShaderiv");
+  PFNGLGETSTRINGPROC getString = find("glGetString");
   PFNGLLINKPROGRAMPROC linkProgram = find("glLinkProgram");
   PFNGLPIXELSTOREIPROC pixelStorei = find("glPixelStorei");
   PFNGLREADBUFFERPROC readBuffer = find("glReadBuffer");

@@ -5,11 +5,14 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "pongsim/log.hh"
 #include "rendering/billboards.hh"
 #include "rendering/frame.hh"
 #include "rendering/gl.hh"
@@ -33,6 +36,11 @@ using Eigen::Matrix4f;
 constexpr int kSamples = 4;
 // small images don't need fine shadows
 constexpr std::uint64_t kLargePicture = 200'000;
+
+const Logger& logger() {
+  static const Logger log("rendering");
+  return log;
+}
 
 Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
   const Pose X_WorldSurface = item.X_WorldSurface();
@@ -87,6 +95,14 @@ class Renderer::Content {
   }
   Content(const Content&) = delete;
   Content& operator=(const Content&) = delete;
+
+  /// @return What OpenGL calls what it draws with, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+  std::string name() const {
+    const GLubyte* const text = gl_.getString(GL_RENDERER);
+    return text == nullptr ? "an OpenGL without a name" : reinterpret_cast<const char*>(text);
+  }
+  /// @throws std::runtime_error if OpenGL has refused something, such as memory.
+  void check() const { gl_.check(); }
 
   void drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels) {
     assert(pixels.size() == std::size_t{3} * view.width * view.height);
@@ -291,38 +307,62 @@ class Renderer::Content {
   std::uint64_t version_ = 0;
 };
 
-Renderer::Renderer(std::unique_ptr<Context> context) : context_(std::move(context)) {}
+Renderer::Renderer(Contexts contexts) : contexts_(std::move(contexts)) {}
 
-Renderer::~Renderer() {
+Renderer::~Renderer() { clear(); }
+
+void Renderer::clear() {
   if (content_ == nullptr) return;
-  const Binding binding(*context_);
+  std::optional<Binding> binding;
+  try {
+    binding.emplace(*contexts_.first);
+  } catch (const std::runtime_error&) {
+    // a context that is lost has taken along what was in it; without one, OpenGL's functions do nothing
+  }
   content_.reset();
 }
 
-Renderer::Content& Renderer::content() {
-  if (content_ == nullptr) content_ = std::make_unique<Content>(*context_);
-  return *content_;
+template <class Draw>
+void Renderer::drawNow(const Draw& draw) {
+  const Binding binding(*contexts_.first);
+  if (content_ == nullptr) {
+    content_ = std::make_unique<Content>(*contexts_.first);
+    logger().info("pictures are drawn by " + content_->name());
+  }
+  draw(*content_);
+  content_->check();
+}
+
+template <class Draw>
+void Renderer::draw(const Draw& draw) {
+  if (contexts_.spare == nullptr) return drawNow(draw);
+  try {
+    return drawNow(draw);
+  } catch (const NoCard& reason) {
+    logger().info(reason.what());
+  } catch (const std::runtime_error& reason) {
+    logger().warning("pictures are drawn in software from now on: " + std::string(reason.what()));
+  }
+  clear();
+  contexts_.first = std::move(contexts_.spare);
+  drawNow(draw);
 }
 
 void Renderer::drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels) {
-  const Binding binding(*context_);
-  content().drawColors(scene, view, pixels);
+  draw([&](Content& content) { content.drawColors(scene, view, pixels); });
 }
 
 void Renderer::drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
-  const Binding binding(*context_);
-  content().drawDepths(scene, view, depths);
+  draw([&](Content& content) { content.drawDepths(scene, view, depths); });
 }
 
 void Renderer::drawNumbers(const Scene& scene, const PictureView& view, std::span<std::uint32_t> numbers) {
-  const Binding binding(*context_);
-  content().drawNumbers(scene, view, numbers);
+  draw([&](Content& content) { content.drawNumbers(scene, view, numbers); });
 }
 
 void Renderer::drawTemperatures(const Scene& scene, const PictureView& view, const AirTemperatures& air,
                                 std::span<float> temperatures) {
-  const Binding binding(*context_);
-  content().drawTemperatures(scene, view, air, temperatures);
+  draw([&](Content& content) { content.drawTemperatures(scene, view, air, temperatures); });
 }
 
 }  // namespace pongsim::rendering

@@ -11,10 +11,10 @@
 
 namespace pongsim::rendering {
 
-/// Draws scenes with OpenGL. See `CameraScene`.
+/// Draws scenes with OpenGL. See `CameraScene`. Logs what draws, and why the spare context has to.
 class Renderer {
  public:
-  explicit Renderer(std::unique_ptr<Context> context);
+  explicit Renderer(Contexts contexts);
   ~Renderer();
 
   void drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels);
@@ -25,9 +25,13 @@ class Renderer {
 
  private:
   class Content;
-  Content& content();
+  template <class Draw>
+  void draw(const Draw& draw);
+  template <class Draw>
+  void drawNow(const Draw& draw);
+  void clear();
 
-  std::unique_ptr<Context> context_;
+  Contexts contexts_;
   /// Created with the first image.
   std::unique_ptr<Content> content_;
 };

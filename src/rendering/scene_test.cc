@@ -122,7 +122,8 @@ TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {
         const double nearest = 3 * ray.x(), aside = 9 - nearest * nearest;
         const float depth = depths[row * eye.width + column];
         if (aside < 0.9) {
-          EXPECT_NEAR(depth, (nearest - std::sqrt(1 - aside)) * ray.x(), 0.01) << row << ' ' << column;
+          // where the ball is steep, corners that are moved by a sixteenth of a pixel show
+          EXPECT_NEAR(depth, (nearest - std::sqrt(1 - aside)) * ray.x(), 0.012) << row << ' ' << column;
         } else if (aside > 1.02) {
           EXPECT_NEAR(depth, 5, 1e-4) << row << ' ' << column;
         }

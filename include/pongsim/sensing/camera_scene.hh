@@ -44,15 +44,16 @@ struct PictureView {
   bool showsAxes = false;
 };
 
-/// The visuals and lights of a world, for cameras, drawn by OpenGL without a graphics card or display.
+/// The visuals and lights of a world, for cameras, drawn by OpenGL without a display: on the processor, or by a
+/// graphics card if the environment variable PONGSIM_RENDERER says so ("auto", "egl").
 ///
-/// The same world and view give the same bits on the same machine, for any number of threads. Use it on one thread at a
-/// time. `rebuild`, `update` and `scatterDepths` read the world, and are for its thread; another thread may draw while the
-/// world goes on.
+/// The same world and view give the same bits on the same machine, on the processor with any number of threads. Use it
+/// on one thread at a time. `rebuild`, `update` and `scatterDepths` read the world, and are for its thread; another
+/// thread may draw while the world goes on.
 class PONGSIM_API CameraScene {
  public:
   /// A scene without visuals; call `rebuild`.
-  /// @throws std::runtime_error if OSMesa, which it draws with, is not installed; the message names the package.
+  /// @throws std::runtime_error if what it draws with is not installed; the message names the package.
   explicit CameraScene(const World& world);
   ~CameraScene();
 

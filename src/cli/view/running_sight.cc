@@ -12,8 +12,8 @@
 #include "msgs/control/status_messages.hh"
 #include "msgs/state/visible_world.hh"
 #include "pongsim/node.hh"
-#include "rendering/osmesa.hh"
 #include "rendering/renderer.hh"
+#include "rendering/renderer_choice.hh"
 #include "rendering/scene.hh"
 #include "world/actor_motion.hh"
 #include "world/entities.hh"
@@ -111,7 +111,7 @@ class RunningSight final : public Sight {
  private:
   /// What draws, until something looks different.
   struct Stage {
-    Stage(const Snapshot& snapshot, Diagnostics& found) : renderer(rendering::openOsmesa()) {
+    Stage(const Snapshot& snapshot, Diagnostics& found) : renderer(rendering::openContexts()) {
       scene.build(snapshot.entities, snapshot.state, found);
     }
 

@@ -7,8 +7,8 @@
 
 #include "assets/images/picture_file.hh"
 #include "rendering/boxes.hh"
-#include "rendering/osmesa.hh"
 #include "rendering/renderer.hh"
+#include "rendering/renderer_choice.hh"
 #include "rendering/scene.hh"
 #include "sim/api/access.hh"
 #include "sim/sensing/scatter.hh"
@@ -24,7 +24,7 @@ struct CameraScene::Content {
 };
 
 CameraScene::CameraScene(const World& world)
-    : content_(new Content{*world.access_, std::make_unique<rendering::Renderer>(rendering::openOsmesa())}) {}
+    : content_(new Content{*world.access_, std::make_unique<rendering::Renderer>(rendering::openContexts())}) {}
 
 CameraScene::~CameraScene() = default;
 

@@ -8,10 +8,11 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "rendering/osmesa.hh"
 #include "rendering/renderer.hh"
+#include "rendering/renderer_choice.hh"
 #include "rendering/scene.hh"
 #include "support/visual_world.hh"
 
@@ -36,8 +37,11 @@ class DrawnWorld : public pongsim::test::VisualWorld {
   void start() {
     populate();
     scene_.build(entities(), state(), diagnostics());
-    renderer_ = std::make_unique<Renderer>(openOsmesa());
+    drawWith(openContexts());
   }
+
+  /// From now on, beginning with nothing.
+  void drawWith(Contexts contexts) { renderer_ = std::make_unique<Renderer>(std::move(contexts)); }
 
   std::vector<std::uint8_t> colors(const PictureView& view) {
     std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
@@ -46,7 +50,7 @@ class DrawnWorld : public pongsim::test::VisualWorld {
   }
   /// Draws as the first picture, for which nothing was kept.
   std::vector<std::uint8_t> colorsAnew(const PictureView& view) {
-    renderer_ = std::make_unique<Renderer>(openOsmesa());
+    drawWith(openContexts());
     return colors(view);
   }
   std::vector<float> depths(const PictureView& view) {
@@ -112,7 +116,7 @@ class Pictures : public ::testing::Test {
  protected:
   void SetUp() override {
     try {
-      openOsmesa();
+      openContexts();
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << error.what();
     }
