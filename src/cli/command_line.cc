@@ -45,6 +45,7 @@ Program programWith(std::span<const AddCommand> commands) {
           "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes in different domains do not see each other\n"
           "  PONGSIM_NETWORK        network interface for other machines, by name or address\n"
           "  PONGSIM_SECURITY       keystore, or KEYSTORE/NAME, to secure all topics and services\n"
+          "  PONGSIM_RENDERER       what draws: software, egl or auto, like --renderer\n"
           "  PONGSIM_PLUGIN_PATH    folders of systems, searched before pongsim's own\n"
           "  PONGSIM_RESOURCE_PATH  folders of worlds and models",
       .hasActions = false,

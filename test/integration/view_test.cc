@@ -71,6 +71,31 @@ class SeenFromAbove {
   std::vector<std::vector<std::string>> rows_;
 };
 
+TEST(View, IsDrawnByTheRendererThatIsChosen) {
+  const TempFolder folder;
+  const auto file = folder.write("w.sdf",
+                                 "<sdf version='1.9'><world name='w'><scene><background>0 0 0 1</background></scene>"
+                                 "<model name='box'><static>true</static>" +
+                                     flatVisual(kBox, kRed) + "</model></world></sdf>");
+  const SeenFromAbove software({file.string()});
+  if (software.outcome().error.find("libOSMesa") != std::string::npos) GTEST_SKIP() << software.outcome().error;
+  for (const std::string renderer : {"software", "auto", "egl"}) {
+    const SeenFromAbove seen({file.string(), "--renderer", renderer});
+    const auto said = [&seen](const char* text) { return seen.outcome().error.find(text) != std::string::npos; };
+    // without libegl1, or without a driver
+    if (renderer == "egl" && (said("(apt-get install libegl1)") || said("the software device does not start")))
+      continue;
+    EXPECT_EQ(seen.outcome().exitCode, 0) << seen.outcome().error;
+    EXPECT_EQ(seen.outcome().error, "");
+    EXPECT_EQ(seen.at(0, 0), "255 0 0");
+    EXPECT_EQ(seen.at(0, 3), "0 0 0");
+  }
+  const Outcome refused = runToEnd({"view", file.string(), "--renderer", "gpu"});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.error.find("option '--renderer' takes auto, software or egl, not 'gpu'"), std::string::npos)
+      << refused.error;
+}
+
 class ViewOfARunningWorld : public testing::Test {
  protected:
   void SetUp() override {

@@ -356,7 +356,7 @@ class Simulation(_core.Simulation):
         *,
         field_of_view: float | None = None,
     ) -> NDArray[np.uint8]:
-        """Draws the world as it is now, without a display or a graphics card: a new array of rows x columns x red, green,
+        """Draws the world as it is now, without a display: a new array of rows x columns x red, green,
         blue from 0 to 255. Nothing in the world changes.
 
         camera: a camera of the world, by its scoped name or its own, without its noise and distortion; or a pose in the
@@ -364,7 +364,8 @@ class Simulation(_core.Simulation):
             the side and above, with everything in view.
         size: width and height [pixels]; None: the camera's, else 320 x 240.
         field_of_view: horizontal [rad]; None: the camera's, else 1.05.
-        Raises KeyError for an unknown camera, ValueError for another sensor, and RuntimeError if OSMesa is not installed.
+        Raises KeyError for an unknown camera, ValueError for another sensor, and RuntimeError if nothing to draw with is
+        installed: OSMesa, or what the environment variable PONGSIM_RENDERER chooses.
         """
         return Eye(self, camera, size, field_of_view).draw()
 

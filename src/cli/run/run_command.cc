@@ -23,6 +23,7 @@
 #include "cli/options/network_option.hh"
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
+#include "cli/options/renderer_option.hh"
 #include "cli/options/secure_option.hh"
 #include "cli/options/xacro_options.hh"
 #include "cli/replay/recorded_world.hh"
@@ -373,6 +374,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addNetworkOption(*command);
   addSecureOption(*command);
   addOfflineOption(*command);
+  addRendererOption(*command);
   addPackagesOption(*command);
   options->lockstep.addTo(*command);
   options->fortress.addTo(*command);

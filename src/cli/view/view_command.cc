@@ -17,6 +17,7 @@
 #include "cli/options/network_option.hh"
 #include "cli/options/number_option.hh"
 #include "cli/options/offline_option.hh"
+#include "cli/options/renderer_option.hh"
 #include "cli/options/secure_option.hh"
 #include "cli/view/picture_plot.hh"
 #include "cli/view/record_video.hh"
@@ -253,6 +254,7 @@ void addViewCommand(CLI::App& program, Work& work) {
   addNetworkOption(*command);
   addSecureOption(*command);
   CLI::Option* offline = addOfflineOption(*command);
+  addRendererOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim view worlds/pong_world.sdf -o court.png\n"
