@@ -27,7 +27,10 @@ struct Turn {
   btVector3 operator()(const btVector3& vector) const { return turned(vector, sine); }
   btVector3 back(const btVector3& vector) const { return turned(vector, -sine); }
   btMatrix3x3 matrix() const {
-    return btMatrix3x3((*this)({1, 0, 0}), (*this)({0, 1, 0}), (*this)({0, 0, 1})).transpose();
+    const btVector3 s = sine * axis, a = (1 - cosine) * axis;
+    return {cosine + a.x() * axis.x(), a.y() * axis.x() - s.z(),  a.z() * axis.x() + s.y(),
+            a.x() * axis.y() + s.z(),  cosine + a.y() * axis.y(), a.z() * axis.y() - s.x(),
+            a.x() * axis.z() - s.y(),  a.y() * axis.z() + s.x(),  cosine + a.z() * axis.z()};
   }
 
   btVector3 axis;

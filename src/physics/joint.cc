@@ -142,7 +142,11 @@ Joint::Frames Joint::frames() const {
 }
 
 /// Takes the angle [rad] plus the number of whole turns that is nearest to the position.
-void Joint::Axis::unwrap(double angle) { position += std::remainder(angle - position, 2 * std::numbers::pi); }
+void Joint::Axis::unwrap(double angle) {
+  const double change = angle - position;
+  // most of the time that is the remainder itself
+  position += std::abs(change) < std::numbers::pi ? change : std::remainder(change, 2 * std::numbers::pi);
+}
 
 void Joint::prepare(double dt) {
   if (axisCount_ == 0) return;

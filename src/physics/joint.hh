@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "description/joint.hh"
 #include "physics/body.hh"
+#include "physics/joint_motion.hh"
 #include "physics/joint_row.hh"
 #include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
@@ -54,6 +56,8 @@ class Joint final {
   btRigidBody& child() const { return child_; }
   /// @return For a gearbox, the body that its axes are fixed to, if that moves; else null.
   btRigidBody* reference() const { return gearbox_ && gearbox_->moves ? &gearbox_->body : nullptr; }
+
+  bool isGearbox() const { return gearbox_ != nullptr; }
 
   /// Number of axes that can be commanded.
   std::size_t axisCount() const { return axisCount_; }
@@ -119,6 +123,10 @@ class Joint final {
   /// @param erp Fraction of a position error that is corrected in the step (error reduction parameter).
   /// @return The rows that were written.
   std::span<const JointRow> rows(double dt, double erp, std::span<JointRow, kMostRows> rows);
+
+  /// Writes how the joint moves in the coming step instead, and to the front of `rows` only those with bounds. Not for
+  /// gearboxes.
+  std::span<const JointRow> motion(double dt, double erp, JointMotion& motion, std::span<JointRow, kMostRows> rows);
 
   bool isMeasured() const { return isMeasured_; }
   /// Takes what the rows exerted on the child's centre of mass in the last step, world frame [N, N m].
@@ -203,7 +211,13 @@ class Joint final {
   void addLinearRows(RowWriter& writer, const Frames& frames, double errorRate, const btVector3& chordVelocity) const;
   void addAngularRows(RowWriter& writer, const Frames& frames, double errorRate) const;
   void addCrossRow(RowWriter& writer, const Frames& frames, double errorRate) const;
-  void addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp) const;
+  void addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp,
+                   bool withEquations) const;
+  void addFreedom(JointMotion& motion, const Axis& axis, const btVector3& along, double errorRate) const;
+  btVector3 heldVelocity(const Frames& frames, double errorRate, const btVector3& chordVelocity) const;
+  btVector3 heldTurn(const Frames& frames, double errorRate) const;
+  btVector3 angularError(const Frames& frames) const;
+  std::pair<btVector3, double> crossError(const Frames& frames) const;
 
   btRigidBody& parent_;
   btRigidBody& child_;

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "physics/joint.hh"
 
@@ -101,9 +102,76 @@ std::span<const JointRow> Joint::rows(double dt, double erp, std::span<JointRow,
   } else {
     addAngularRows(writer, now, errorRate);
   }
-  for (std::size_t i = 0; i < axisCount_; ++i) addAxisRows(writer, axes_[i], now.drives[i], rate, erp);
+  for (std::size_t i = 0; i < axisCount_; ++i) addAxisRows(writer, axes_[i], now.drives[i], rate, erp, true);
   assert(writer.count == rowCount());
   return rows.first(writer.count);
+}
+
+std::span<const JointRow> Joint::motion(double dt, double erp, JointMotion& motion,
+                                        std::span<JointRow, kMostRows> rows) {
+  assert(!gearbox_);
+  const Frames now = frames();
+  const btVector3 point = now.X_WorldChild.getOrigin();
+  childArm_ = motion.childArm = point - child_.getWorldTransform().getOrigin();
+  motion.parentArm = point - parent_.getWorldTransform().getOrigin();
+  const double rate = 1 / dt;
+  motion.linear = heldVelocity(now, rate * erp,
+                               chordVelocity(motion.parentArm, parent_.getAngularVelocity(), dt) -
+                                   chordVelocity(motion.childArm, child_.getAngularVelocity(), dt));
+  motion.angular = heldTurn(now, rate * erp);
+  RowWriter writer{rows, motion.parentArm, motion.childArm};
+  motion.count = 0;
+  for (std::size_t i = 0; i < axisCount_; ++i) {
+    addFreedom(motion, axes_[i], now.axes[i], rate * erp);
+    addAxisRows(writer, axes_[i], now.drives[i], rate, erp, false);
+  }
+  if (type_ == JointType::kBall) {
+    for (const btVector3& axis : {btVector3(1, 0, 0), btVector3(0, 1, 0), btVector3(0, 0, 1)}) {
+      motion.freedoms[motion.count++] = {btVector3(0, 0, 0), axis};
+    }
+  }
+  return rows.first(writer.count);
+}
+
+/// Adds the freedom of an axis, or the velocity at which it is held.
+void Joint::addFreedom(JointMotion& motion, const Axis& axis, const btVector3& along, double errorRate) const {
+  const JointMotion::Freedom freedom{slides_ ? along : lead_ * along, slides_ ? btVector3(0, 0, 0) : along};
+  const bool isLocked = axis.stops == Stops::kLocked;
+  if (isLocked || (axis.motor.active && std::isinf(axis.motor.highestImpulse))) {
+    const double velocity = isLocked ? errorRate * (axis.limits.lower - axis.position) : axis.motor.velocity;
+    motion.linear += velocity * freedom.linear;
+    motion.angular += velocity * freedom.angular;
+    return;
+  }
+  motion.freedoms[motion.count] = freedom;
+  if (axis.damper.active) {
+    motion.freedoms[motion.count].damping = 1 / axis.damper.compliance;
+    motion.freedoms[motion.count].velocity = axis.damper.velocity;
+  }
+  ++motion.count;
+}
+
+/// @return What the linear rows ask for: that the ends meet.
+btVector3 Joint::heldVelocity(const Frames& frames, double errorRate, const btVector3& chordVelocity) const {
+  const btVector3 all =
+      errorRate * (frames.X_WorldParent.getOrigin() - frames.X_WorldChild.getOrigin()) + chordVelocity;
+  if (linearRows_ == 3) return all;
+  const btVector3& axis = frames.axes[0];
+  double along = 0;
+  if (type_ == JointType::kScrew) along = -errorRate * (offset(frames) - lead_ * axes_[0].position);
+  return all + (along - all.dot(axis)) * axis;
+}
+
+/// Likewise of the angular rows.
+btVector3 Joint::heldTurn(const Frames& frames, double errorRate) const {
+  if (angularRows_ == 0) return {0, 0, 0};
+  if (angularRows_ == 1) {
+    const auto [direction, error] = crossError(frames);
+    return errorRate * error * direction;
+  }
+  const btVector3 all = -errorRate * angularError(frames);
+  if (angularRows_ == 3) return all;
+  return all - all.dot(frames.axes[0]) * frames.axes[0];
 }
 
 // ratio theta1 + theta2 = 0, both angles relative to the reference body
@@ -127,10 +195,17 @@ void Joint::addLinearRows(RowWriter& writer, const Frames& frames, double errorR
 
 void Joint::addAngularRows(RowWriter& writer, const Frames& frames, double errorRate) const {
   if (angularRows_ == 0) return;
-  const btMatrix3x3& parent = frames.X_WorldParent.getBasis();
+  const btVector3 error = angularError(frames);
+  for (int column = 3 - angularRows_; column < 3; ++column) {
+    const btVector3 direction = frames.X_WorldParent.getBasis().getColumn(column);
+    writer.angular(direction, -errorRate * error.dot(direction), -kInfinity, kInfinity);
+  }
+}
 
-  // the small rotation from the parent's frame to the child's: half the sum of the cross products of their axes, or,
-  // if only the first axes are held together, their cross product
+/// @return The small rotation from the parent's frame to the child's: half the sum of the cross products of their axes,
+/// or, if only the first axes are held together, their cross product.
+btVector3 Joint::angularError(const Frames& frames) const {
+  const btMatrix3x3& parent = frames.X_WorldParent.getBasis();
   btVector3 error = parent.getColumn(0).cross(frames.X_WorldChild.getBasis().getColumn(0));
   if (angularRows_ == 3) {
     for (int column = 1; column < 3; ++column) {
@@ -138,22 +213,26 @@ void Joint::addAngularRows(RowWriter& writer, const Frames& frames, double error
     }
     error *= 0.5;
   }
-  for (int column = 3 - angularRows_; column < 3; ++column) {
-    const btVector3 direction = parent.getColumn(column);
-    writer.angular(direction, -errorRate * error.dot(direction), -kInfinity, kInfinity);
-  }
+  return error;
 }
 
-// keeps the angle between the two axes
 void Joint::addCrossRow(RowWriter& writer, const Frames& frames, double errorRate) const {
+  const auto [direction, error] = crossError(frames);
+  writer.angular(direction, errorRate * error, -kInfinity, kInfinity);
+}
+
+/// @return The direction across both axes, and by what angle about it these are too close.
+std::pair<btVector3, double> Joint::crossError(const Frames& frames) const {
   const btVector3 cross = frames.axes[0].cross(frames.axes[1]);
   const double sine = cross.length();
-  const double error = (frames.axes[0].dot(frames.axes[1]) - secondAxis_.x()) / sine;
-  writer.angular(cross / sine, errorRate * error, -kInfinity, kInfinity);
+  return {cross / sine, (frames.axes[0].dot(frames.axes[1]) - secondAxis_.x()) / sine};
 }
 
-void Joint::addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp) const {
+/// @param withEquations Whether those without bounds are among them.
+void Joint::addAxisRows(RowWriter& writer, const Axis& axis, const btVector3& along, double rate, double erp,
+                        bool withEquations) const {
   const auto add = [&](double bias, double lowest, double highest, double compliance = 0) {
+    if (!withEquations && std::isinf(lowest) && std::isinf(highest)) return;
     if (slides_) {
       writer.linear(along, bias, lowest, highest, 0, compliance);
     } else {

@@ -23,11 +23,11 @@ struct Settings {
   Solver solver = Solver::kDirect;
   /// Maximum number of sweeps of Gauss-Seidel.
   int iterations = 50;
-  /// Islands with more rows of joints and contacts than this are not solved directly, except trees of links with no
-  /// more bounded rows than this.
+  /// Islands with more rows of joints and contacts than this are not solved directly; joints in trees of links do not
+  /// count.
   int mostDirectRows = 150;
-  /// Compliance of all rows times the step (constraint force mixing) [s/kg, of rotations s/(kg m^2)]: makes the matrix
-  /// of an island with redundant rows, such as a box on four corners, positive definite.
+  /// Compliance of all rows, but not of joints in trees, times the step (constraint force mixing) [s/kg, of rotations
+  /// s/(kg m^2)]: makes the matrix of an island with redundant rows, such as a box on four corners, positive definite.
   double cfm = 1e-8;
   /// Fractions of an error that are corrected in a step (error reduction parameters), for joints and for contacts.
   double jointErp = 0.9;

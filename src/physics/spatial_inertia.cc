@@ -95,6 +95,8 @@ SpatialInertia::Wrench SpatialInertia::advance(const btMatrix3x3& R_WorldBody, c
   return {toBullet(Vector3(wrench.head<3>())), toBullet(Vector3(wrench.tail<3>()))};
 }
 
+SpatialInertia::Matrix SpatialInertia::ahead() const { return inverseAhead_.llt().solve(Matrix::Identity()); }
+
 SpatialInertia::Motion SpatialInertia::respond(const btVector3& linear, const btVector3& angular) const {
   const Vector6 change = inverseAhead_ * spatial(linear, angular);
   return {change[0], change[1], change[2], change[3], change[4], change[5]};

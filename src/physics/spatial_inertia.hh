@@ -33,11 +33,13 @@ class SpatialInertia {
   /// @return The wrench with which the next step conserves momentum, if no other acts.
   Wrench advance(const btMatrix3x3& R_WorldBody, const btVector3& v, const btVector3& w, double dt, bool isHeld);
 
+  using Matrix = description::AddedMass;
+  /// @return The inertia half a step ahead, world frame.
+  Matrix ahead() const;
   /// @return The change of velocity by an impulse half a step ahead, world frame.
   Motion respond(const btVector3& linear, const btVector3& angular) const;
 
  private:
-  using Matrix = description::AddedMass;
   /// Body frame.
   Matrix ofFluid_;
   Matrix inertia_;

@@ -18,8 +18,9 @@ COUNTS = [int(each) for each in sys.argv[2:]] or [1, 10, 50, 200, 1000]
 # the first pattern that matches counts
 PARTS = [
     ("LCP", r"physics::(Lcp|ReducedLcp|.*::(eliminate|substitute)[A-Z]|eliminate|substitute)"),
-    ("rows", r"physics::(IslandRows|BodyCoupling|.*RowEnd|DirectSolver|IslandSolver|GaussSeidel|SolverContact|"
-             r"Joint::(rows|add|Row)|pointSurface|settlePoint|.*[fF]riction|.*chordVelocity|.*restitution|bounce)"),
+    ("rows", r"physics::(IslandRows|Articulation|JointTree|BodyCoupling|.*RowEnd|DirectSolver|IslandSolver|GaussSeidel|"
+             r"SolverContact|Joint::(rows|motion|add|held|Row)|.*::(factorLink|climb|addSquare)|pointSurface|settlePoint|"
+             r".*[fF]riction|.*chordVelocity|.*restitution|bounce)"),
     ("islands", r"Stepper::(gather|form|find)|physics::(Islands|Neighbourhoods|Rest|PieceLimits)"),
     ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|SweptBoxes|BroadPhase|ContactFilter"),
     ("narrow phase", r"Algorithm|Manifold|Dispatcher|Shape|btGjk|btVoronoi|HullOnPlane|combine|ContactAdded|collide"

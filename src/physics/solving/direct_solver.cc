@@ -27,25 +27,25 @@ bool DirectSolver::solve(std::span<btRigidBody* const> bodies, std::span<btPersi
                          std::span<Joint* const> joints, double dt, int times) {
   mostRows_ = times * mostOfSettings_;
   const std::span<const JointBodies> jointBodies = rows_.begin(bodies, joints, dt);
-  const JointOrder* const order = orderOfTree(jointBodies);
-  rows_.collect(manifolds, joints, order != nullptr);
-  impulses_.resize(rows_.rows().size());
-  hasPenetration_ = std::ranges::any_of(rows_.rows(), [](const IslandRows::Row& row) { return row.pushRhs != 0; });
-  if (order != nullptr ? !solveTree(*order) : !solveWhole()) return false;
+  if (!rows_.collect(manifolds, joints, treeOf(jointBodies)) || !solveRows()) return false;
   rows_.apply(impulses_, pushImpulses_);
   return true;
 }
 
-/// @return The order in which joints are eliminated; null if none is better than another.
-const JointOrder* DirectSolver::orderOfTree(std::span<const JointBodies> joints) {
+/// @return Null where all joints that hang together act on one body: their few rows are solved like all others.
+const JointTree* DirectSolver::treeOf(std::span<const JointBodies> joints) {
   if (haveOneHub(joints)) return nullptr;
-  const JointOrder& order = orders_.find(joints);
-  return order.isDeep() ? &order : nullptr;
+  const JointTree& tree = trees_.find(joints);
+  return tree.isDeep() ? &tree : nullptr;
 }
 
-bool DirectSolver::solveWhole() {
+bool DirectSolver::solveRows() {
   const std::size_t count = rows_.rows().size();
   if (count > static_cast<std::size_t>(mostRows_)) return false;
+  hasPenetration_ = std::ranges::any_of(rows_.rows(), [](const IslandRows::Row& row) { return row.pushRhs != 0; });
+  impulses_.resize(count);
+  pushImpulses_.resize(hasPenetration_ ? static_cast<std::size_t>(rows_.unfrictionalRows()) : 0);
+  if (count == 0) return true;
   placeRows();
   const UpperRows A = lcp_.begin(static_cast<int>(count));
   rows_.assemble(places_, A);
@@ -54,10 +54,8 @@ bool DirectSolver::solveWhole() {
     row[count] = rows_.rows()[i].rhs;
     row[count + 1] = rows_.rows()[i].pushRhs;
   }
-  setBounds(0);
-  x_.resize(count);
-  return solveSides(lcp_, ReducedLcp::Problem{equations_, rows_.unfrictionalRows(), lowest_.data(), highest_.data(),
-                                              normalOf_.data()});
+  setBounds();
+  return solveSides();
 }
 
 void DirectSolver::placeRows() {
@@ -73,63 +71,25 @@ void DirectSolver::placeRows() {
   }
 }
 
-/// Sets the bounds of all rows but those at the first `skipped` places.
-void DirectSolver::setBounds(int skipped) {
+void DirectSolver::setBounds() {
   const std::span<const IslandRows::Row> rows = rows_.rows();
-  const std::size_t count = rows.size() - static_cast<std::size_t>(skipped);
-  lowest_.resize(count);
-  highest_.resize(count);
-  normalOf_.resize(count);
+  for (std::vector<double>* each : {&lowest_, &highest_, &x_}) each->resize(rows.size());
+  normalOf_.resize(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (places_[i] < skipped) continue;
-    const auto place = static_cast<std::size_t>(places_[i] - skipped);
+    const auto place = static_cast<std::size_t>(places_[i]);
     lowest_[place] = rows[i].lowest;
     highest_[place] = rows[i].highest;
     const int normal = rows[i].normal;
-    normalOf_[place] = normal < 0 ? -1 : places_[static_cast<std::size_t>(normal)] - skipped;
+    normalOf_[place] = normal < 0 ? -1 : places_[static_cast<std::size_t>(normal)];
   }
-}
-
-bool DirectSolver::solveTree(const JointOrder& order) {
-  const std::span<const IslandRows::Row> rows = rows_.rows();
-  placeRows();
-  const int bounded = static_cast<int>(rows.size()) - equations_;
-  if (bounded > mostRows_) return false;
-  if (bounded > 0) setBounds(equations_);
-  for (int& number : places_) number -= equations_;
-  BlockMatrix& A = treeLcp_.matrix();
-  rows_.listBoundedEnds(places_, boundedEnds_);
-  if (!A.begin(order, rows_.equations(), bounded, boundedEnds_)) return false;
-  const double most = mostRows_;
-  if (A.work() > static_cast<double>(rows.size()) * most * most / 6) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].isEquation) places_[i] = A.boundedNumber(places_[i]);
-  }
-  rows_.assemble(order, places_, A);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int place = rows[i].isEquation ? order.placeOf(rows[i].joint) : A.boundedPlace();
-    const int number = rows[i].isEquation ? rows[i].rowInJoint : places_[i];
-    double* const sides = A.sides(place, number);
-    sides[0] = rows[i].rhs;
-    sides[1] = rows[i].pushRhs;
-    places_[i] = A.indexOf(place, number);
-  }
-  x_.resize(A.size());
-  if (!solveSides(treeLcp_, TreeLcp::Bounds{rows_.unfrictionalRows() - equations_, lowest_.data(), highest_.data(),
-                                            normalOf_.data()})) {
-    return false;
-  }
-  rows_.applyEquations(order, A, x_.data(), hasPenetration_ ? xPush_.data() : nullptr);
-  return true;
 }
 
 /// Solves for the impulses and, with penetration, for the push impulses, which also keep the joints together.
-bool DirectSolver::solveSides(auto& lcp, const auto& problem) {
-  pushImpulses_.resize(hasPenetration_ ? static_cast<std::size_t>(rows_.unfrictionalRows()) : 0);
-  if (!lcp.solve(problem, x_) || !takeIfReasonable(x_, places_, impulses_)) return false;
-  if (!hasPenetration_) return true;
-  xPush_.resize(x_.size());
-  return lcp.solveSecond(xPush_) && takeIfReasonable(xPush_, places_, pushImpulses_);
+bool DirectSolver::solveSides() {
+  const ReducedLcp::Problem problem{equations_, rows_.unfrictionalRows(), lowest_.data(), highest_.data(),
+                                    normalOf_.data()};
+  if (!lcp_.solve(problem, x_) || !takeIfReasonable(x_, places_, impulses_)) return false;
+  return !hasPenetration_ || (lcp_.solveSecond(x_) && takeIfReasonable(x_, places_, pushImpulses_));
 }
 
 }  // namespace pongsim::physics

@@ -3,20 +3,18 @@
 #include <span>
 #include <vector>
 
-#include "physics/lcp/joint_order.hh"
 #include "physics/lcp/reduced_lcp.hh"
-#include "physics/lcp/tree_lcp.hh"
 #include "physics/settings.hh"
 #include "physics/solving/island_rows.hh"
+#include "physics/solving/joint_tree.hh"
 
 namespace pongsim::physics {
 
-/// Solves all rows of an island at once, as a mixed linear complementarity problem. Joints of trees and chains of links
-/// are eliminated from the leaves to the root, at a cost that is linear in their number.
+/// Solves all rows of an island at once, as a mixed linear complementarity problem. Links that joints hold together as
+/// trees and chains move as these allow (`Articulation`), at a cost that is linear in their number.
 class DirectSolver {
  public:
-  /// Islands with more rows than `settings.mostDirectRows` are solved only if most of them are equations of trees: with
-  /// no more bounded rows than that, and no more work per row than in an island of that many rows.
+  /// Islands with more rows than `settings.mostDirectRows`, beside those of joints in trees, are not solved.
   explicit DirectSolver(const Settings& settings) : mostOfSettings_(settings.mostDirectRows), rows_(settings) {}
 
   /// Gives the bodies their velocities at the end of the step of `dt` [s], corrects penetration, and writes the
@@ -27,38 +25,32 @@ class DirectSolver {
              std::span<Joint* const> joints, double dt, int times = 1);
 
  private:
-  const JointOrder* orderOfTree(std::span<const JointBodies> joints);
-  bool solveWhole();
-  bool solveTree(const JointOrder& order);
+  const JointTree* treeOf(std::span<const JointBodies> joints);
+  bool solveRows();
   void placeRows();
-  void setBounds(int skipped);
-  bool solveSides(auto& lcp, const auto& problem);
+  void setBounds();
+  bool solveSides();
 
   const int mostOfSettings_;
   /// Of this island.
   int mostRows_ = 0;
   IslandRows rows_;
-  /// The place of each row in the problem: equations before bounded rows. Of a tree, first the numbers of bounded rows,
-  /// then the place of all in x.
+  /// The place of each row in the problem: equations before bounded rows.
   std::vector<int> places_;
   int equations_ = 0;
   /// Whether any row has a push right-hand side.
   bool hasPenetration_ = false;
-  /// In the order of places; of a tree, those of bounded rows.
+  /// In the order of places.
   std::vector<double> lowest_;
   std::vector<double> highest_;
   std::vector<int> normalOf_;
-  /// In the order of places; of a tree, as `BlockMatrix` has them.
   std::vector<double> x_;
-  std::vector<double> xPush_;
   /// In the rows' order.
   std::vector<double> impulses_;
   std::vector<double> pushImpulses_;
   ReducedLcp lcp_;
 
-  JointOrders orders_;
-  std::vector<BlockMatrix::BoundedEnd> boundedEnds_;
-  TreeLcp treeLcp_;
+  JointTrees trees_;
 };
 
 }  // namespace pongsim::physics

@@ -181,6 +181,43 @@ TEST(DirectSolver, FindsInTreesWithEachKindOfJointWhatIterationsComeTo) {
   }
 }
 
+/// The wrenches of all joints in a step, the first of which tells that they are measured.
+std::vector<Engine::Reaction> reactions(Rig& rig) {
+  const auto joints = static_cast<world::Slot>(rig.state.joints.size());
+  for (world::Slot joint = 0; joint < joints; ++joint) rig.engine.jointReaction(joint);
+  rig.step();
+  std::vector<Engine::Reaction> result;
+  for (world::Slot joint = 0; joint < joints; ++joint) result.push_back(rig.engine.jointReaction(joint));
+  return result;
+}
+
+void expectTheSameReactions(Rig& rig, Rig& iterated) {
+  const std::vector<Engine::Reaction> found = reactions(rig), expected = reactions(iterated);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_LT((found[i].force - expected[i].force).norm(), 1e-2 + 1e-3 * expected[i].force.norm()) << i;
+    EXPECT_LT((found[i].torque - expected[i].torque).norm(), 1e-2 + 1e-3 * expected[i].torque.norm()) << i;
+  }
+}
+
+// joints that hold links measure no rows, but what moves the links
+TEST(DirectSolver, MeasuresInTreesWhatIterationsComeTo) {
+  {
+    // at rest, with limits and contacts
+    Rig direct(walker()), iterated(walker(), manyIterations());
+    expectTheSameReactions(direct, iterated);
+  }
+  for (const JointType type : kTypes) {
+    SCOPED_TRACE(description::name(type));
+    description::Model model = rowWith(type);
+    Floating direct(model), iterated(model, manyIterations());
+    expectTheSameReactions(direct, iterated);
+    // the first link of the file is the last child, so that all joints are reversed
+    std::ranges::reverse(model.links);
+    Floating reversed(model), iteratedReversed(model, manyIterations());
+    expectTheSameReactions(reversed, iteratedReversed);
+  }
+}
+
 TEST(DirectSolver, KeepsTheMomentumOfTreesWithEachKindOfJoint) {
   std::vector<description::Model> models = {gearsWithArm()};
   for (const JointType type : kTypes) models.push_back(rowWith(type));

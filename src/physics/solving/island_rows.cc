@@ -43,11 +43,6 @@ BodyJacobian jacobianOf(const JointRow& row, std::size_t body) {
   return {btVector3(0, 0, 0), row.referenceAngular};
 }
 
-/// @return The bodies in that order; the last one is null for all but gearboxes on a moving body.
-std::array<const btRigidBody*, kMostJointBodies> bodiesOf(const Joint& joint) {
-  return {&joint.parent(), &joint.child(), joint.reference()};
-}
-
 }  // namespace
 
 std::span<const JointBodies> IslandRows::begin(std::span<btRigidBody* const> bodies, std::span<Joint* const> joints,
@@ -56,28 +51,33 @@ std::span<const JointBodies> IslandRows::begin(std::span<btRigidBody* const> bod
   takeBodies(bodies);
   jointBodies_.clear();
   for (const Joint* joint : joints) {
-    JointBodies& numbers = jointBodies_.emplace_back(JointBodies{-1, -1, -1});
-    for (const btRigidBody* body : bodiesOf(*joint)) {
-      if (body == nullptr) continue;
-      const int number = numberOf(*body);
-      if (std::ranges::find(numbers, number) == numbers.end()) *std::ranges::find(numbers, -1) = number;
-    }
+    const btRigidBody* const reference = joint->reference();
+    jointBodies_.push_back({numberOf(joint->parent()), numberOf(joint->child()),
+                            reference == nullptr ? -1 : numberOf(*reference), !joint->isGearbox()});
   }
   return jointBodies_;
 }
 
-void IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints,
-                         bool isTree) {
-  isTree_ = isTree;
+bool IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints,
+                         const JointTree* tree) {
+  tree_ = tree;
   rows_.clear();
   endCount_ = 0;
   contacts_.clear();
   measured_.clear();
+  measuredLinks_.clear();
   areOfTwoBodies_ = true;
-  equations_.clear();
-  if (isTree) blocks_.begin(bodies_.size(), kMostJointBodies * joints.size());
   isFriction_ = false;
-  for (Joint* joint : joints) addJoint(*joint);
+  if (tree == nullptr) {
+    for (Joint* joint : joints) addJoint(*joint);
+  } else {
+    articulation_.begin(*tree, bodies_.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (tree->linkOfJoint(i) < 0) addJoint(*joints[i]);
+    }
+    closingRows_ = rows_.size();
+    for (const JointTree::Link& link : tree->links()) addLink(*joints[static_cast<std::size_t>(link.joint)], link);
+  }
   jointRows_ = static_cast<int>(rows_.size());
   for (btPersistentManifold* manifold : manifolds) {
     for (int i = 0; i < manifold->getNumContacts(); ++i) {
@@ -99,6 +99,7 @@ void IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (contacts_[i].friction.torsion > 0) addTorsionRow(contacts_[i], jointRows_ + static_cast<int>(i));
   }
+  return tree == nullptr || articulate();
 }
 
 /// @return Its number in the island, -1 for a body that does not move.
@@ -189,69 +190,87 @@ double IslandRows::addJointEnds(const Joint& joint, const JointRow& content) {
 
 void IslandRows::addJoint(Joint& joint) {
   std::array<JointRow, Joint::kMostRows> memory;
-  const std::span<const JointRow> content = joint.rows(dt_, settings_.jointErp, memory);
   areOfTwoBodies_ = areOfTwoBodies_ && joint.reference() == nullptr && &joint.parent() != &joint.child();
-  const std::size_t first = rows_.size();
-  for (const JointRow& each : content) {
-    Row& row = rows_.emplace_back(Row{each.bias, 0, each.lowest, each.highest});
-    row.isEquation = std::isinf(each.lowest) && std::isinf(each.highest);
-    row.compliance = each.compliance;
+  for (const JointRow& each : joint.rows(dt_, settings_.jointErp, memory)) {
+    addJointRow(joint, each);
     if (joint.isMeasured()) measured_.push_back({&joint, each, rows_.size() - 1});
-    if (!isTree_ || !row.isEquation) row.rhs -= addJointEnds(joint, each);
-  }
-  if (isTree_) addBlocks(joint, content, std::span(rows_).subspan(first));
-}
-
-/// Adds the equations among the rows of a joint as blocks.
-void IslandRows::addBlocks(const Joint& joint, std::span<const JointRow> content, std::span<Row> rows) {
-  static_assert(Joint::kMostEquations <= BlockRows::kMostRows);
-  const int number = static_cast<int>(equations_.size());
-  int& equations = equations_.emplace_back(0);
-  const std::array<const btRigidBody*, kMostJointBodies> bodies = bodiesOf(joint);
-  std::array<BlockRows::End*, kMostJointBodies> ends{};
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const int body = bodies[i] == nullptr ? -1 : numberOf(*bodies[i]);
-    if (body >= 0) ends[i] = &blocks_.add(number, body);
-  }
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    Row& row = rows[r];
-    if (!row.isEquation) continue;
-    row.joint = number;
-    row.rowInJoint = equations++;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i] == nullptr) continue;
-      const BodyJacobian J = jacobianOf(content[r], i);
-      if (ends[i] != nullptr) {
-        BlockRows::set(*ends[i], static_cast<std::size_t>(row.rowInJoint), J.linear, J.angular);
-      } else {
-        row.rhs -= J.linear.dot(bodies[i]->getLinearVelocity()) + J.angular.dot(bodies[i]->getAngularVelocity());
-      }
-    }
-  }
-  for (BlockRows::End* const end : ends) {
-    if (end == nullptr) continue;
-    const BlockRows::RowValues along = respond(*end);
-    for (Row& row : rows) {
-      if (row.isEquation) row.rhs -= along[static_cast<std::size_t>(row.rowInJoint)];
-    }
   }
 }
 
-BlockRows::RowValues IslandRows::respond(BlockRows::End& end) const {
-  const Body& body = bodies_[static_cast<std::size_t>(end.body)];
+void IslandRows::addJointRow(const Joint& joint, const JointRow& content) {
+  Row& row = rows_.emplace_back(Row{content.bias, 0, content.lowest, content.highest});
+  row.isEquation = std::isinf(content.lowest) && std::isinf(content.highest);
+  row.compliance = content.compliance;
+  row.rhs -= addJointEnds(joint, content);
+}
+
+void IslandRows::addLink(Joint& joint, const JointTree::Link& link) {
+  std::array<JointRow, Joint::kMostRows> memory;
+  JointMotion motion;
+  for (const JointRow& each : joint.motion(dt_, settings_.jointErp, motion, memory)) addJointRow(joint, each);
+  const auto velocityOf = [this](const btRigidBody& body) {
+    const int number = numberOf(body);
+    if (number < 0) return std::pair(body.getLinearVelocity(), body.getAngularVelocity());
+    const auto& v = bodies_[static_cast<std::size_t>(number)].velocity;
+    return std::pair(btVector3(v[0], v[1], v[2]), btVector3(v[3], v[4], v[5]));
+  };
+  const auto [v_Parent, w_Parent] = velocityOf(joint.parent());
+  const auto [v_Child, w_Child] = velocityOf(joint.child());
+  articulation_.add(link, motion,
+                    v_Child + w_Child.cross(motion.childArm) - v_Parent - w_Parent.cross(motion.parentArm),
+                    w_Child - w_Parent);
+  if (joint.isMeasured()) measuredLinks_.emplace_back(&joint, &link);
+}
+
+/// Writes the inertia with which a body responds to impulses.
+void IslandRows::takeInertia(const Body& body, Articulation::Inertia& inertia) const {
+  if (body.inertia != nullptr) {
+    const SpatialInertia::Matrix ahead = body.inertia->ahead();
+    for (std::size_t i = 0; i < inertia.size(); ++i)
+      std::copy_n(ahead.col(static_cast<int>(i)).data(), 6, inertia[i].begin());
+    return;
+  }
+  for (Articulation::Vector& row : inertia) row.fill(0);
+  inertia[0][0] = inertia[1][1] = inertia[2][2] = body.body->getMass();
+  // the inverse of a symmetric matrix, by its cofactors
   const btMatrix3x3& I = body.body->getInvInertiaTensorWorld();
-  const BlockRows::RowValues along =
-      BlockRows::respond(end,
-                         {body.body->getInvMass(),
-                          {I[0].x(), I[0].y(), I[0].z(), I[1].x(), I[1].y(), I[1].z(), I[2].x(), I[2].y(), I[2].z()}},
-                         body.velocity);
-  if (body.inertia == nullptr) return along;
-  const auto& J = end.jacobian;
-  for (std::size_t row = 0; row < BlockRows::kMostRows; ++row) {
-    const auto response = body.inertia->respond({J[0][row], J[1][row], J[2][row]}, {J[3][row], J[4][row], J[5][row]});
-    for (std::size_t c = 0; c < response.size(); ++c) end.response[c][row] = response[c];
+  const double a = I[0].x(), b = I[0].y(), c = I[0].z(), d = I[1].y(), e = I[1].z(), f = I[2].z();
+  const double A = d * f - e * e, B = c * e - b * f, C = b * e - c * d;
+  const double factor = 1 / (a * A + b * B + c * C);
+  inertia[3][3] = factor * A;
+  inertia[3][4] = inertia[4][3] = factor * B;
+  inertia[3][5] = inertia[5][3] = factor * C;
+  inertia[4][4] = factor * (a * f - c * c);
+  inertia[4][5] = inertia[5][4] = factor * (b * c - a * e);
+  inertia[5][5] = factor * (a * d - b * b);
+}
+
+/// Finds how the bodies move as their joints ask for, and from now on rows see that motion.
+bool IslandRows::articulate() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) takeInertia(bodies_[i], articulation_.inertia(i));
+  if (!articulation_.factor()) return false;
+  const std::span<const Articulation::Vector> changes = articulation_.changeByJoints();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) std::copy_n(changes[i].begin(), 6, bodies_[i].change.begin());
+  resolveRows();
+  return true;
+}
+
+void IslandRows::resolveRows() {
+  const std::size_t width = articulation_.coordinates();
+  Z_.assign(rows_.size() * width, 0.0);
+  ownDiagonal_.assign(rows_.size(), 0.0);
+  std::array<Articulation::End, kMostJointBodies> ofRow;
+  for (std::size_t first = 0, end = 0; first < endCount_; first = end) {
+    const auto row = static_cast<std::size_t>(ends_[first].row);
+    for (; end < endCount_ && ends_[end].row == ends_[first].row; ++end) {
+      const RowEnd& each = ends_[end];
+      ofRow[end - first] = {each.body, each.jacobian.data()};
+      ownDiagonal_[row] += coupling(each, each);
+      const auto& change = bodies_[static_cast<std::size_t>(each.body)].change;
+      for (std::size_t k = 0; k < change.size(); ++k) rows_[row].rhs -= each.jacobian[k] * change[k];
+    }
+    articulation_.resolve(std::span(ofRow).first(end - first), &Z_[row * width]);
   }
-  return along;
 }
 
 btVector3 IslandRows::velocityAt(const btRigidBody& body, const btVector3& arm) const {
@@ -305,6 +324,16 @@ void IslandRows::addTorsionRow(const SolverContact& contact, int normal) {
 
 void IslandRows::assemble(std::span<const int> places, const UpperRows& A) {
   assert(places.size() == rows_.size() && A.rows == rows_.size());
+  if (tree_ != nullptr) {
+    addSquare(Z_.data(), articulation_.coordinates(), places, A);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const auto place = static_cast<std::size_t>(places[i]);
+      double regular = ownDiagonal_[i];
+      regularize(rows_[i], regular);
+      A.row(place)[place] += regular - ownDiagonal_[i];
+    }
+    return;
+  }
   for (RowEnd& end : ends()) end.place = places[static_cast<std::size_t>(end.row)];
   if (areOfTwoBodies_) {
     for (const Body& body : bodies_) bodyCoupling_.couple(ends(), body.lastEnd, A);
@@ -317,24 +346,6 @@ void IslandRows::assemble(std::span<const int> places, const UpperRows& A) {
   }
 }
 
-void IslandRows::assemble(const JointOrder& order, std::span<const int> numbers, BlockMatrix& A) {
-  assert(numbers.size() == rows_.size() && equations_.size() == order.count());
-  blocks_.couple(order, equations_, A);
-  const UpperRows bounded = A.bounded();
-  for (RowEnd& end : ends()) {
-    end.place = numbers[static_cast<std::size_t>(end.row)];
-    blocks_.couple(order, equations_, end.body, end.response, end.place, A);
-    coupleBefore(ends(), end, bounded);
-  }
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    Row& row = rows_[i];
-    const int place = row.isEquation ? order.placeOf(row.joint) : A.boundedPlace();
-    const int number = row.isEquation ? row.rowInJoint : numbers[i];
-    const BlockMatrix::Block block = A.block(place, place);
-    regularize(row, block.data[static_cast<std::size_t>(number) * (block.stride + 1)]);
-  }
-}
-
 /// Adds the compliance of a row to its place on the diagonal of A.
 void IslandRows::regularize(Row& row, double& diagonal) const {
   assert(diagonal >= 0);
@@ -343,27 +354,30 @@ void IslandRows::regularize(Row& row, double& diagonal) const {
   if (row.isContact) diagonal *= 1 + kContactCompliance;
 }
 
-void IslandRows::listBoundedEnds(std::span<const int> numbers, std::vector<BlockMatrix::BoundedEnd>& list) const {
-  list.clear();
-  for (std::size_t i = 0; i < endCount_; ++i) {
-    list.push_back({numbers[static_cast<std::size_t>(ends_[i].row)], ends_[i].body});
+/// Adds what the impulses of rows do to all bodies of the trees.
+void IslandRows::applyToTree(std::span<const double> impulses, std::array<double, 6> Body::*to) {
+  const std::size_t width = articulation_.coordinates();
+  z_.assign(width, 0.0);
+  for (std::size_t row = 0; row < impulses.size(); ++row) {
+    for (std::size_t k = 0; k < width; ++k) z_[k] += Z_[row * width + k] * impulses[row];
   }
-}
-
-void IslandRows::applyEquations(const JointOrder& order, const BlockMatrix& A, const double* x, const double* xPush) {
+  const std::span<const Articulation::Vector> changes = articulation_.changeBy(z_);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const int body = static_cast<int>(i);
-    blocks_.apply(body, order, A, x, bodies_[i].change);
-    if (xPush != nullptr) blocks_.apply(body, order, A, xPush, bodies_[i].push);
+    for (std::size_t k = 0; k < 6; ++k) (bodies_[i].*to)[k] += changes[i][k];
   }
 }
 
 void IslandRows::apply(std::span<const double> impulses, std::span<const double> pushes) {
-  for (const RowEnd& end : ends()) {
-    Body& body = bodies_[static_cast<std::size_t>(end.body)];
-    const auto row = static_cast<std::size_t>(end.row);
-    addTimes(body.change, end.response, impulses[row]);
-    if (row < pushes.size()) addTimes(body.push, end.response, pushes[row]);
+  if (tree_ != nullptr) {
+    if (!impulses.empty()) applyToTree(impulses, &Body::change);
+    if (!pushes.empty()) applyToTree(pushes, &Body::push);
+  } else {
+    for (const RowEnd& end : ends()) {
+      Body& body = bodies_[static_cast<std::size_t>(end.body)];
+      const auto row = static_cast<std::size_t>(end.row);
+      addTimes(body.change, end.response, impulses[row]);
+      if (row < pushes.size()) addTimes(body.push, end.response, pushes[row]);
+    }
   }
   for (const Body& body : bodies_) {
     const auto& v = body.velocity;
@@ -380,6 +394,7 @@ void IslandRows::apply(std::span<const double> impulses, std::span<const double>
     point.m_appliedImpulseLateral2 = impulses[friction + 1];
   }
   measure(impulses);
+  if (!measuredLinks_.empty()) measureLinks(impulses);
 }
 
 /// Moves the body by its push velocity over the step.
@@ -414,6 +429,38 @@ void IslandRows::measure(std::span<const double> impulses) const {
       torque += measured_[i].content.childAngular * rowForce;
     }
     joint.setReaction(force, torque);
+  }
+}
+
+/// Likewise of joints that hold links: what moved the body and all links beyond it, less what others than joints did.
+void IslandRows::measureLinks(std::span<const double> impulses) {
+  wrenches_.assign(bodies_.size(), {});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Articulation::Inertia inertia{};
+    takeInertia(bodies_[i], inertia);
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (std::size_t row = 0; row < 6; ++row) wrenches_[i][row] += inertia[row][k] * bodies_[i].change[k];
+    }
+  }
+  for (std::size_t i = 0; i < endCount_; ++i) {
+    const RowEnd& end = ends_[i];
+    const auto row = static_cast<std::size_t>(end.row);
+    if (row >= closingRows_ && end.row < jointRows_) continue;
+    for (std::size_t k = 0; k < 6; ++k) {
+      wrenches_[static_cast<std::size_t>(end.body)][k] -= end.jacobian[k] * impulses[row];
+    }
+  }
+  articulation_.gather(wrenches_);
+  for (const auto& [joint, link] : measuredLinks_) {
+    const auto& wrench = wrenches_[static_cast<std::size_t>(link->body)];
+    btVector3 force(wrench[0], wrench[1], wrench[2]), torque(wrench[3], wrench[4], wrench[5]);
+    if (link->isReversed) {
+      const btVector3 toChild =
+          joint->child().getWorldTransform().getOrigin() - joint->parent().getWorldTransform().getOrigin();
+      torque = -(torque - toChild.cross(force));
+      force = -force;
+    }
+    joint->setReaction(force / dt_, torque / dt_);
   }
 }
 

@@ -5,16 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/contacts/contact_point.hh"
 #include "physics/joint.hh"
-#include "physics/lcp/block_matrix.hh"
 #include "physics/lcp/elimination.hh"
-#include "physics/lcp/joint_order.hh"
 #include "physics/rigid_body.hh"
 #include "physics/settings.hh"
-#include "physics/solving/block_rows.hh"
+#include "physics/solving/articulation.hh"
+#include "physics/solving/joint_tree.hh"
 #include "physics/solving/row_ends.hh"
 
 class btPersistentManifold;
@@ -28,6 +28,10 @@ namespace pongsim::physics {
 ///
 /// Rows of joints come first, in the joints' order, then those of contacts along the normal, then those of friction
 /// along the surface, two for each point, then those against spinning about the normals.
+///
+/// In a tree, joints that hold its links are no rows but an `Articulation`: M^-1 is then the inertia of the bodies as
+/// these joints hold them together, and v their velocity. Only their rows with bounds remain, and all rows of joints
+/// that close loops.
 class IslandRows {
  public:
   struct Row {
@@ -44,10 +48,8 @@ class IslandRows {
     int normal = -1;
     /// A contact along the normal.
     bool isContact = false;
-    /// A row of a joint without bounds; in a tree also its joint and its number among the joint's equations.
+    /// A row of a joint without bounds.
     bool isEquation = false;
-    int joint = -1;
-    int rowInJoint = 0;
   };
 
   explicit IslandRows(const Settings& settings) : settings_(settings) {}
@@ -56,12 +58,11 @@ class IslandRows {
   /// @return The numbers of the bodies that each joint acts on.
   std::span<const JointBodies> begin(std::span<btRigidBody* const> bodies, std::span<Joint* const> joints, double dt);
   /// Adds all rows.
-  /// @param isTree Whether equations of joints go into blocks, for a `BlockMatrix`.
-  void collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints, bool isTree);
+  /// @param tree Of these joints, or null for rows of all.
+  /// @return False where the inertia of a tree is not positive definite.
+  bool collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints, const JointTree* tree);
 
   std::span<const Row> rows() const { return rows_; }
-  /// Number of equations of each joint, in a tree.
-  std::span<const int> equations() const { return equations_; }
   /// Number of rows that are not friction.
   int unfrictionalRows() const { return unfrictionalRows_; }
 
@@ -69,17 +70,6 @@ class IslandRows {
   /// @param places Of each row in A.
   /// @param A All zero.
   void assemble(std::span<const int> places, const UpperRows& A);
-  /// Likewise in a tree.
-  /// @param numbers Of bounded rows, as A has them.
-  void assemble(const JointOrder& order, std::span<const int> numbers, BlockMatrix& A);
-
-  /// Lists the bodies that bounded rows act on, in a tree.
-  /// @param numbers Of these rows.
-  void listBoundedEnds(std::span<const int> numbers, std::vector<BlockMatrix::BoundedEnd>& list) const;
-
-  /// In a tree, to be called before `apply`: takes the impulses of equations.
-  /// @param x For both right-hand sides, as A has them; the second one is null without penetration.
-  void applyEquations(const JointOrder& order, const BlockMatrix& A, const double* x, const double* xPush);
 
   /// Applies the rows' impulses to the bodies' velocities, and push impulses to their poses. Writes the impulses to the
   /// contact points and to measured joints.
@@ -115,8 +105,13 @@ class IslandRows {
   std::array<double, 6> velocityUnderForces(const Body& body) const;
   void addJoint(Joint& joint);
   double addJointEnds(const Joint& joint, const JointRow& content);
-  void addBlocks(const Joint& joint, std::span<const JointRow> content, std::span<Row> rows);
-  BlockRows::RowValues respond(BlockRows::End& end) const;
+  void addLink(Joint& joint, const JointTree::Link& link);
+  void addJointRow(const Joint& joint, const JointRow& content);
+  void takeInertia(const Body& body, Articulation::Inertia& inertia) const;
+  bool articulate();
+  void resolveRows();
+  void applyToTree(std::span<const double> impulses, std::array<double, 6> Body::*to);
+  void measureLinks(std::span<const double> impulses);
   void addContact(const SolverContact& contact);
   void addFrictionRow(const SolverContact& contact, const btVector3& direction, double mu, double slip, double motion,
                       int normal);
@@ -136,14 +131,24 @@ class IslandRows {
   std::size_t endCount_ = 0;
   BodyCoupling bodyCoupling_;
   std::vector<JointBodies> jointBodies_;
-  bool isTree_ = false;
   /// Whether each row acts on two bodies at most: then each sum in A is of two numbers, in whichever order.
   bool areOfTwoBodies_ = true;
-  BlockRows blocks_;
-  std::vector<int> equations_;
+  /// Null without one.
+  const JointTree* tree_ = nullptr;
+  Articulation articulation_;
+  /// The joints of links whose reactions are measured.
+  std::vector<std::pair<Joint*, const JointTree::Link*>> measuredLinks_;
+  std::vector<Articulation::Vector> wrenches_;
+  /// Z, row after row, and Z^T x.
+  std::vector<double> Z_;
+  std::vector<double> z_;
+  /// J M^-1 J^T of each row with the bodies' own inertia.
+  std::vector<double> ownDiagonal_;
   std::vector<SolverContact> contacts_;
   std::vector<Measured> measured_;
   int jointRows_ = 0;
+  /// Number of rows of joints that close loops of a tree, which come before those of links.
+  std::size_t closingRows_ = 0;
   int unfrictionalRows_ = 0;
   /// Whether `addEnd` leaves out the torques of this step.
   bool isFriction_ = false;
