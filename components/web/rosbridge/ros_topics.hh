@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,9 +12,13 @@
 
 #include "pongsim/messages/message_decoder.hh"
 #include "pongsim/messages/message_encoder.hh"
+#include "web/world/recent_log.hh"
 #include "web/world/worlds.hh"
 
 namespace pongsim::web::rosbridge {
+
+/// In a second.
+inline constexpr std::uint64_t kNanoseconds = 1'000'000'000;
 
 /// A topic of a world as it is in ROS.
 struct RosTopic {
@@ -32,7 +37,11 @@ std::string fullRosType(std::string_view type);
 /// The topics of the worlds by their names in ROS, and their encoders and decoders. For the server's thread.
 class RosTopics {
  public:
-  explicit RosTopics(std::shared_ptr<Worlds> worlds) : worlds_(std::move(worlds)) {}
+  /// @param log Must outlive it.
+  RosTopics(std::shared_ptr<Worlds> worlds, RecentLog& log) : worlds_(std::move(worlds)), log_(log) {}
+
+  /// @return What /rosout tells.
+  RecentLog& log() const { return log_; }
 
   /// @return Why topics can't be converted; empty: they can.
   const std::string& fault();
@@ -57,6 +66,7 @@ class RosTopics {
   const Names& namesOf(const Topic& topic);
 
   const std::shared_ptr<Worlds> worlds_;
+  RecentLog& log_;
   bool isOpened_ = false;
   std::unique_ptr<MessageEncoder> encoding_;
   std::string fault_;

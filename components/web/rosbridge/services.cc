@@ -1,11 +1,13 @@
 #include "web/rosbridge/services.hh"
 
-#include <algorithm>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 
 #include "web/foxglove/fields.hh"
+#include "web/rosbridge/rosapi.hh"
 #include "web/world/message_form.hh"
 #include "web/world/read_only_service.hh"
 
@@ -58,7 +60,8 @@ void Services::call(const json& request) {
   const Called called{foxglove::textField(request, "service").value_or(""), foxglove::textField(request, "id")};
   const json arguments = request.value("args", json::object());
   const auto refuse = [&](const std::string& why) { client_->sendText(response(called, why, false)); };
-  if (const std::optional<json> values = rosapi(called.service, arguments)) {
+  if (const std::optional<json> values =
+          Rosapi(topics_, *worlds_, client_->mayWrite()).call(called.service, arguments)) {
     return client_->sendText(response(called, *values, true));
   }
   const auto found = worlds_->findService(called.service);
@@ -77,39 +80,6 @@ void Services::call(const json& request) {
         client->callSoon(
             std::make_shared<JsonResponse>(client, called, type, writeMessage(reply, MessageForm::kProtobuf)));
       });
-}
-
-/// @return The response of a service of rosapi; nothing if it is none of those that there are here.
-std::optional<json> Services::rosapi(const std::string& service, const json& arguments) {
-  if (service == "/rosapi/topics" || service == "/rosapi/topics_and_raw_types") {
-    json names = json::array(), types = json::array(), definitions = json::array();
-    for (const RosTopic& topic : topics_.all()) {
-      if (std::ranges::find(names, json(topic.name)) != names.end()) continue;
-      names.push_back(topic.name);
-      types.push_back(topic.type);
-      definitions.push_back(topics_.definition(topic));
-    }
-    json values = {{"topics", names}, {"types", types}};
-    if (service != "/rosapi/topics") values["typedefs_full_text"] = definitions;
-    return values;
-  }
-  if (service == "/rosapi/topic_type") {
-    const auto found = topics_.find(foxglove::textField(arguments, "topic").value_or(""));
-    return json{{"type", found.empty() ? "" : found.front().type}};
-  }
-  if (service == "/rosapi/services") {
-    json names = json::array();
-    for (const auto& place : worlds_->services()) {
-      if (client_->mayWrite() || isReadOnlyService(place.service.name)) names.push_back(place.service.name);
-    }
-    return json{{"services", names}};
-  }
-  if (service == "/rosapi/service_type") {
-    const auto found = worlds_->findService(foxglove::textField(arguments, "service").value_or(""));
-    return json{{"type", found ? found->service.requestType : ""}};
-  }
-  if (service == "/rosapi/nodes") return json{{"nodes", json::array({"/pongsim"})}};
-  return std::nullopt;
 }
 
 }  // namespace pongsim::web::rosbridge

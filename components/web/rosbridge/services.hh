@@ -1,8 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +21,6 @@ class Services {
   void call(const nlohmann::json& request);
 
  private:
-  std::optional<nlohmann::json> rosapi(const std::string& service, const nlohmann::json& arguments);
-
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
   RosTopics& topics_;

@@ -35,12 +35,19 @@ class Subscriptions {
   void follow();
 
  private:
+  /// How messages are sent; of several subscriptions to a topic, the last of these counts.
+  enum class Compression {
+    kNone,
+    kCbor,
+    /// In CBOR with the message in CDR, as it comes from ROS.
+    kCborRaw
+  };
   struct Wish {
     /// Least time between messages [s].
     double interval = 0;
     /// Messages to keep; 0: as many as suit the type.
     std::size_t queue = 0;
-    bool isCbor = false;
+    Compression compression = Compression::kNone;
   };
   struct Source;
   struct Opened {
@@ -56,7 +63,11 @@ class Subscriptions {
 
   void open(const std::string& name, Wanted& wanted, std::span<const RosTopic> all);
   void close(Wanted& wanted);
+  std::shared_ptr<Source> newSource(RosTopic topic, const Wanted& wanted);
   std::optional<Opened> sourceOf(const RosTopic& topic, const Wanted& wanted);
+  Opened rosout(const Wanted& wanted);
+  static void sendSoon(Client& client, const std::shared_ptr<Source>& source);
+  static std::optional<Compression> compressionOf(std::string_view name);
 
   const std::shared_ptr<Client> client_;
   RosTopics& topics_;

@@ -98,7 +98,8 @@ std::optional<ClientQueue::Item> ClientQueue::take() {
   while (std::optional<Data> data = takeData()) {
     // without the lock, because `make` may take long
     if (data->make) data->frame = data->make();
-    if (data->frame.size() > 0) return Item{.isText = false, .frame = std::move(data->frame), .key = data->key};
+    const bool isText = data->frame.isText;
+    if (data->frame.size() > 0) return Item{.isText = isText, .frame = std::move(data->frame), .key = data->key};
   }
   return std::nullopt;
 }

@@ -100,6 +100,8 @@ TEST_F(ClientQueueTest, MakesWhatIsMadeWhenItLeaves) {
   queue_.addMaker(2, [] { return Frame{}; });
   state = 2;
   EXPECT_EQ(all(), Texts{"2"});
+  queue_.addMaker(1, [] { return Frame{.head = "{}", .body = {}, .isText = true}; });
+  EXPECT_TRUE(queue_.take().value().isText);
 }
 
 TEST_F(ClientQueueTest, ForgetsAKey) {

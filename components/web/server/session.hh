@@ -33,10 +33,12 @@ class Payload {
   std::size_t size_ = 0;
 };
 
-/// A binary WebSocket message: a part of the client's own, then the part shared with others.
+/// A WebSocket message: a part of the client's own, then the part shared with others.
 struct Frame {
   std::string head;
   Payload body;
+  /// Valid UTF-8, instead of bytes.
+  bool isText = false;
 
   std::size_t size() const { return head.size() + body.size(); }
 };

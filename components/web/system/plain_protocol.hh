@@ -16,9 +16,9 @@ namespace pongsim::web {
 /// message shows.
 class PlainProtocol final : public Protocol {
  public:
-  /// @param gz Must outlive it.
-  PlainProtocol(std::shared_ptr<Worlds> worlds, gz::GzProtocol& gz)
-      : worlds_(std::move(worlds)), gz_(gz), rosTopics_(worlds_) {}
+  /// @param gz Must outlive it, as must the log.
+  PlainProtocol(std::shared_ptr<Worlds> worlds, gz::GzProtocol& gz, RecentLog& log)
+      : worlds_(std::move(worlds)), gz_(gz), rosTopics_(worlds_, log) {}
 
   std::vector<std::string> names() const override { return {""}; }
   std::unique_ptr<Session> open(const std::string& name, const std::shared_ptr<Client>& client) override;

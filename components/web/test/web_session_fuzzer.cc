@@ -43,7 +43,7 @@ struct RunningWorld {
   RecentLog log;
   foxglove::FoxgloveProtocol foxglove{worlds, own, log, assets};
   gz::GzProtocol gz{worlds, assets};
-  PlainProtocol plain{worlds, gz};
+  PlainProtocol plain{worlds, gz, log};
   Publisher said = world.node().advertise<im::StringMsg>("/said");
   Service control = world.node().serve("/world/w/control", "ignition.msgs.WorldControl", "ignition.msgs.Boolean",
                                        [](const Message&, Message&) { return true; });

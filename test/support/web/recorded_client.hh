@@ -87,7 +87,8 @@ class RecordedClient final : public Client {
         const Frame frame = make();
         if (frame.size() == 0) continue;
         const std::lock_guard lock(mutex_);
-        binaries_.push_back(bytesOf(frame));
+        (frame.isText ? texts_ : binaries_).push_back(bytesOf(frame));
+        traffic_.add(key, frame.size());
       }
     }
   }
