@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "pongsim/appearance.hh"
+#include "pongsim/math.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/sensing/sensor.hh"
@@ -158,7 +159,7 @@ class ModelPhotoShoot : public System {
     PictureView view;
     view.width = camera->width;
     view.height = camera->height;
-    view.fx = view.fy = camera->width / (2 * std::tan(camera->horizontalFov / 2));
+    view.fx = view.fy = camera->width / (2 * math::tan(camera->horizontalFov / 2));
     view.cx = camera->width / 2.0;
     view.cy = camera->height / 2.0;
     view.near = camera->clip.near;

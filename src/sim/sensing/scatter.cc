@@ -100,7 +100,7 @@ void Scatter::apply(const Pose& X_WorldSensor, std::span<const Vector3> directio
       const Vector3 ahead = place / distance;
       const Vector3 left = Vector3::UnitZ().cross(ahead).stableNormalized(), up = ahead.cross(left);
       const double reach = std::max(disc.halfWidth, disc.halfHeight);
-      const double leastCosine = distance / std::hypot(distance, reach);
+      const double leastCosine = distance / std::sqrt(distance * distance + reach * reach);
       for (std::size_t i = 0; i < directions.size(); ++i) {
         const double cosine = directions[i].dot(ahead);
         if (cosine < leastCosine) continue;
