@@ -55,6 +55,7 @@ const std::map<std::string_view, Values> kSpecial = {
     {"model@placement_frame", {"", "f"}},
     {"noise@type", {"none", "gaussian"}},
     {"frame@attached_to", {"a", "b"}},
+    {"particle_emitter@type", {"box", "point"}},
     {"polyline.point", {"0 3", "0 4"}},
     {"pose@relative_to", {"", "f"}},
     {"pose@rotation_format", {"euler_rpy", "quat_xyzw"}},
