@@ -156,7 +156,7 @@ EglFunctions loadEgl() {
   egl.queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.getAddress("eglQueryDevicesEXT"));
   egl.queryDeviceString = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(egl.getAddress("eglQueryDeviceStringEXT"));
   if (egl.queryDevices == nullptr || egl.queryDeviceString == nullptr) {
-    throw std::runtime_error("this EGL can't list devices (EGL_EXT_device_query)");
+    throw std::runtime_error("EGL has no driver that lists devices (EGL_EXT_device_enumeration)");
   }
   return egl;
 }

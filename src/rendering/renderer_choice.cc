@@ -13,8 +13,9 @@ namespace {
 
 /// A card that can't draw is no reason to leave cameras out later, in the midst of a run.
 Contexts openCard() {
-  Contexts contexts{eglContext(loadEgl(), EglDevices::kAll)};
+  Contexts contexts;
   try {
+    contexts.first = eglContext(loadEgl(), EglDevices::kAll);
     const Binding binding(*contexts.first);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(error.what() + std::string("; the renderer 'auto' would draw in software"));

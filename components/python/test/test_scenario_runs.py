@@ -96,6 +96,12 @@ def test_a_camera_gives_a_picture(tmp_path):
     [picture] = (tmp_path / "test-failures/s.seed=0").glob("*.png")
     data = picture.read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n" and data[16:24] == (32).to_bytes(4, "big") + (24).to_bytes(4, "big")
+    # a graphics card or else the same as before
+    assert command(tmp_path, "s.yaml", "--renderer", "auto", "-o", "again")[0] == 1
+    [again] = (tmp_path / "again/s.seed=0").glob("*.png")
+    assert again.read_bytes()[16:24] == data[16:24]
+    code, _, err = command(tmp_path, "s.yaml", "--renderer", "gpu")
+    assert code == 2 and "--renderer" in err
 
 
 def test_a_run_is_compared_with_a_recorded_one(tmp_path, program):

@@ -62,6 +62,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--junit", metavar="FILE", help="write a JUnit report")
     parser.add_argument("--tap", action="store_true", help="print TAP, the Test Anything Protocol")
     parser.add_argument("--github", action="store_true", help="print annotations for GitHub, too")
+    parser.add_argument("--renderer", choices=["software", "egl", "auto"],
+                        help="what draws cameras' images: software (the default), egl (a graphics card), or auto")
     parser.add_argument("--quiet", action="store_true", help="print failures and the summary only")
     parser.add_argument("--init", metavar="WORLD", help="write a first scenario for a world, into this folder or to -o FILE")
     parser.add_argument("--schema", action="store_true", help="print the file of the JSON schema")
@@ -74,6 +76,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     # as in the other commands, the action can be named
     options = parser.parse_args(words[1:] if words[:1] == ["run"] and not os.path.exists("run") else words)
+    if options.renderer is not None:
+        os.environ["PONGSIM_RENDERER"] = options.renderer
     try:
         if options.schema:
             print(places.schema())
