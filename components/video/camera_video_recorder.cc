@@ -79,11 +79,6 @@ Time stampOf(const Image& image) {
   return std::chrono::seconds(stamp.sec()) + std::chrono::nanoseconds(stamp.nsec());
 }
 
-std::string withoutColons(std::string name) {
-  for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::", at)) name.replace(at, 2, "_");
-  return name;
-}
-
 /// @return "2026-11-27T21:23:43", of this place's clock.
 std::string nowInIso() {
   const std::time_t now = std::time(nullptr);
@@ -180,7 +175,7 @@ class CameraVideoRecorder final : public System {
       return {"'" + request.format() + "' is no video format: there are mp4, ogv and avi"};
     }
     const std::string wanted = request.save_filename().empty()
-                                   ? withoutColons(name_) + "_" + nowInIso() + "." + settings.format
+                                   ? fileNameOf(name_) + "_" + nowInIso() + "." + settings.format
                                    : request.save_filename();
     Outcome<std::filesystem::path> place = placeOf(wanted, folder_, "." + settings.format);
     if (!place) return {place.error};

@@ -82,6 +82,11 @@ Outcome<void> OutputFile::complete() {
   return {cantBeWritten(place_, error_)};
 }
 
+std::string fileNameOf(std::string scopedName) {
+  for (std::size_t at = 0; (at = scopedName.find("::", at)) != std::string::npos;) scopedName.replace(at, 2, "_");
+  return scopedName;
+}
+
 Outcome<fs::path> placeOf(const fs::path& wanted, const fs::path& folder, const std::string& ending) {
   std::error_code error;
   const fs::path allowed = fs::weakly_canonical(fs::absolute(folder), error);

@@ -41,6 +41,9 @@ class OutputFile {
   std::string error_;
 };
 
+/// @return "outer_inner" of the scoped name "outer::inner".
+std::string fileNameOf(std::string scopedName);
+
 /// @param folder Where files may be written, also below it.
 /// @param wanted A path in it, absolute or not.
 /// @param ending ".mp4"

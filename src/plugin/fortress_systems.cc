@@ -123,7 +123,7 @@ bool isForeignPlugin(std::string_view name) {
 
 std::string_view packageOf(std::string_view name) {
   if (name == "log") return "pongsim-log";
-  if (name == "camera-video-recorder") return "pongsim-video";
+  if (name == "camera-video-recorder" || name == "log-video-recorder") return "pongsim-video";
   if (name == "web" || name == "websocket-server") return "pongsim-web";
   constexpr std::array<std::string_view, 3> kOfRos2{"gz_ros2_control-system", "ign_ros2_control-system", "ros2"};
   return std::ranges::find(kOfRos2, name) != kOfRos2.end() ? "pongsim-ros2" : "";

@@ -17,13 +17,14 @@ namespace {
 using tinyxml2::XMLElement;
 
 // Systems that only read poses. Those that need velocities or forces are not among them.
-constexpr std::array<std::string_view, 14> kLooking{"scene-broadcaster",
+constexpr std::array<std::string_view, 15> kLooking{"scene-broadcaster",
                                                     "sensors",
                                                     "pose-publisher",
                                                     "joint-state-publisher",
                                                     "odometry-publisher",
                                                     "magnetometer",
                                                     "air-pressure",
+                                                    "log-video-recorder",
                                                     "logical-camera",
                                                     "thermal",
                                                     "thermal-sensor",
