@@ -77,6 +77,19 @@ CoreSystem thermalSensor() {
   return system;
 }
 
+CoreSystem shaderParam() {
+  CoreSystem system{"shader-param", "ignition::gazebo::systems::ShaderParam", {}, "a <visual>"};
+  system.limit = "cameras run no shader programs, and draw the visual in its <material>";
+  Declaration& declaration = system.declaration;
+  declaration.is(
+      "Has no effect, with one warning: it runs a visual's own shader programs, in the language of one of Gazebo's "
+      "renderers. Cameras draw the visual in its material.",
+      Declaration::Place::kAnywhere);
+  declaration.element("shader", "files of the programs: has no effect");
+  declaration.element("param", "parameter of a program: has no effect");
+  return system;
+}
+
 CoreSystem entitySemantics() {
   CoreSystem system{"entity-semantics", "gz::sim::systems::EntitySemantics", {}, "the <world>"};
   system.declaration.is(
@@ -90,8 +103,8 @@ CoreSystem entitySemantics() {
 }  // namespace
 
 const std::vector<CoreSystem>& coreSystems() {
-  static const std::vector<CoreSystem> systems{physics(), userCommands(),  label(),
-                                               thermal(), thermalSensor(), entitySemantics()};
+  static const std::vector<CoreSystem> systems{physics(),       userCommands(), label(),          thermal(),
+                                               thermalSensor(), shaderParam(),  entitySemantics()};
   return systems;
 }
 

@@ -17,6 +17,8 @@ struct CoreSystem {
   /// Of a system that only gives data to what it is in, which was read with the file: where it belongs, such as "a
   /// <visual>". Empty: it is in the world, and works there.
   std::string holders = {};
+  /// Of one that is known, but has no effect: why.
+  std::string limit = {};
 };
 
 const std::vector<CoreSystem>& coreSystems();

@@ -169,6 +169,11 @@ void Loader::noteNotFound(const std::string& name, const description::Plugin& pl
   report(plugin, need, "was not found", meant.empty() ? lookedIn() : meant, diagnostics);
 }
 
+void Loader::reportLimit(const CoreSystem& system, const SourcePosition& position, Diagnostics& diagnostics) {
+  if (system.limit.empty() || !limited_.insert(system.name).second) return;
+  diagnostics.warning(position, system.name + " has no effect: " + system.limit);
+}
+
 void Loader::reportMissing(Diagnostics& diagnostics) {
   if (!foreign_.empty()) {
     diagnostics.warning(foreign_.front().sdf.position,

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "description/plugin.hh"
+#include "plugin/core_systems.hh"
 #include "plugin/library.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
@@ -36,6 +38,9 @@ class Loader {
   /// Gazebo Classic and ROS, and one for the others, however many there are.
   void reportMissing(Diagnostics& diagnostics);
 
+  /// Warns of a system of pongsim itself that has no effect, of each once.
+  void reportLimit(const CoreSystem& system, const SourcePosition& position, Diagnostics& diagnostics);
+
  private:
   const Library* library(const std::string& name, const description::Plugin& plugin, Paths paths, Need need,
                          Diagnostics& diagnostics);
@@ -47,6 +52,8 @@ class Loader {
   std::map<std::string, std::unique_ptr<Library>> libraries_;
   /// Short names of the plugins that were left out; each is reported once.
   std::vector<std::string> missed_;
+  /// Names of the systems whose limits were said.
+  std::set<std::string> limited_;
   /// Those not reported yet.
   std::vector<description::Plugin> foreign_, unknown_;
 };

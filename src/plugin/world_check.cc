@@ -18,7 +18,11 @@ class Check {
 
   void addPlugins(const std::vector<description::Plugin>& plugins) {
     for (const description::Plugin& plugin : plugins) {
-      if (coreSystem(plugin.filename) != nullptr || description::isLevelPlan(plugin.className)) continue;
+      if (description::isLevelPlan(plugin.className)) continue;
+      if (const CoreSystem* core = coreSystem(plugin.filename)) {
+        loader_.reportLimit(*core, plugin.sdf.position, diagnostics_);
+        continue;
+      }
       const std::unique_ptr<System> system =
           loader_.load(plugin, Loader::Paths::kNeedLeave, Loader::Need::kOptional, diagnostics_);
       if (system == nullptr) continue;

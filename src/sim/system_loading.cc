@@ -186,6 +186,8 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   if (const plugin::CoreSystem* core = plugin::coreSystem(plugin.filename); core != nullptr && !core->holders.empty()) {
     if (core->holders.find(holder.element()) == std::string::npos) {
       diagnostics.warning(plugin.sdf.position, core->name + " is left out: it belongs in " + core->holders);
+    } else {
+      loader_.reportLimit(*core, plugin.sdf.position, diagnostics);
     }
     return;
   }

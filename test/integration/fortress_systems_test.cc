@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "integration/program.hh"
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/environment_variable.hh"
@@ -217,6 +218,18 @@ TEST(FortressSystemsList, HasEveryWorld) {
     }
   }
   EXPECT_EQ(listed, there);
+}
+
+TEST(SystemsOfFortress, AreAllKnown) {
+  std::set<std::string> later;
+  for (const std::string& line : lines(runToEnd({"plugin", "-l", "--later"}).output)) {
+    later.insert(line.substr(0, line.find('\t')));
+  }
+  EXPECT_GT(later.size(), 10U);
+  // what is missing is of later releases
+  for (const std::string& line : lines(runToEnd({"plugin", "-l", "--missing"}).output)) {
+    EXPECT_TRUE(later.contains(line)) << line;
+  }
 }
 
 }  // namespace
