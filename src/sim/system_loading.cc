@@ -136,7 +136,11 @@ void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigu
       add(plugin, i, {}, {paths_, false, need}, diagnostics);
     }
   }
-  if (!wantsPhysics_ && options.physics) {
+  // which moves all by itself, and wants no physics beside it
+  const bool isPlayed = std::ranges::any_of(world.plugins, [](const description::Plugin& plugin) {
+    return plugin.className.ends_with("::systems::LogPlayback");
+  });
+  if (!wantsPhysics_ && options.physics && !isPlayed) {
     const std::string who = isConfigured ? "the server config file has no physics for world '" + world.name + "'"
                                          : "world '" + world.name + "' lists systems, but not physics";
     diagnostics.warning(world.position, who + ": nothing will move",

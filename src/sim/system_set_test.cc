@@ -52,6 +52,17 @@ TEST(SystemSet, WarnsThatNothingMovesWherePhysicsIsMissing) {
   EXPECT_EQ(diagnostics.all()[0].message, "world 'w' lists systems, but not physics: nothing will move");
 }
 
+TEST(SystemSet, MissesNoPhysicsWhereARecordingIsPlayed) {
+  const std::string text =
+      "<sdf version='1.9'><world name='w'><plugin filename='no-such-log' "
+      "name='ignition::gazebo::systems::LogPlayback'/>"
+      "</world></sdf>";
+  Diagnostics diagnostics;
+  ASSERT_NE(Simulation::fromText(text, "world.sdf", {}, diagnostics), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message, "plugin 'no-such-log' was not found: it is left out");
+}
+
 TEST(SystemSet, ReportsPluginsOfVisualsAndSensorsLikeOthers) {
   const auto plugin = [](const std::string& system) {
     return "<plugin filename='ignition-gazebo-" + system + "-system' name='ignition::gazebo::systems::X'/>";
