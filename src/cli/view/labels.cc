@@ -5,26 +5,21 @@
 #include <functional>
 #include <optional>
 
-#include "cli/view/small_font.hh"
+#include "rendering/small_font.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
+using rendering::kLetterAdvance;
+using rendering::kLetterHeight;
+using rendering::kLetterWidth;
+using rendering::SmallLetter;
+
 /// Image rows for each dot of a character.
 constexpr double kRowsPerDot = 300;
 /// How much of the image shines through the panel behind a name.
 constexpr int kPanelShare = 3, kPanelWhole = 8;
-
-/// @return One byte for each character: all beyond ASCII look alike.
-std::string lettersOf(const std::string& text) {
-  std::string letters;
-  for (const char each : text) {
-    const bool goesOn = (static_cast<unsigned char>(each) & 0xC0U) == 0x80U;
-    if (!goesOn || letters.empty()) letters.push_back(each);
-  }
-  return letters;
-}
 
 /// Area of a label in pixels; the ends are exclusive.
 struct Panel {
@@ -44,8 +39,8 @@ class LabelWriter {
 
   void add(const Label& label) {
     Panel panel;
-    panel.letters = lettersOf(label.text);
-    const long across = (static_cast<long>(panel.letters.size()) * kLetterAdvance + 1) * dot_;
+    panel.letters = rendering::lettersOf(label.text);
+    const long across = (static_cast<long>(panel.letters.size() * kLetterAdvance) + 1) * dot_;
     const long down = (static_cast<long>(kLetterHeight) + 2) * dot_;
     panel.left = std::lround(label.column) - across / 2;
     panel.right = panel.left + across;
@@ -62,14 +57,12 @@ class LabelWriter {
   }
 
  private:
-  static constexpr long kLetterAdvance = static_cast<long>(kLetterWidth) + 1;
-
   void draw(const Panel& panel) {
     fill(panel.left, panel.top, panel.right, panel.bottom,
          [](std::uint8_t value) { return static_cast<std::uint8_t>(value * kPanelShare / kPanelWhole); });
     long left = panel.left + dot_;
     for (const char letter : panel.letters) {
-      const SmallLetter dots = smallLetter(static_cast<unsigned char>(letter));
+      const SmallLetter dots = rendering::smallLetter(static_cast<unsigned char>(letter));
       for (std::size_t column = 0; column < kLetterWidth; ++column) {
         for (std::size_t row = 0; row < kLetterHeight; ++row) {
           if ((dots[column] >> row & 1U) == 0) continue;
@@ -77,7 +70,7 @@ class LabelWriter {
           fill(x, y, x + dot_, y + dot_, [](std::uint8_t) { return std::uint8_t{255}; });
         }
       }
-      left += kLetterAdvance * dot_;
+      left += static_cast<long>(kLetterAdvance) * dot_;
     }
   }
 

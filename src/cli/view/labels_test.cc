@@ -8,11 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "cli/view/small_font.hh"
+#include "rendering/small_font.hh"
 #include "support/cli/still_sight.hh"
 
 namespace pongsim::cli {
 namespace {
+
+using rendering::kLetterHeight;
+using rendering::kLetterWidth;
+using rendering::SmallLetter;
+using rendering::smallLetter;
 
 constexpr std::uint8_t kGrey = 80;
 

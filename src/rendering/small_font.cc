@@ -1,6 +1,6 @@
-#include "cli/view/small_font.hh"
+#include "rendering/small_font.hh"
 
-namespace pongsim::cli {
+namespace pongsim::rendering {
 
 namespace {
 
@@ -50,4 +50,13 @@ SmallLetter smallLetter(char32_t letter) {
   return kLetters[letter - kFirstLetter];
 }
 
-}  // namespace pongsim::cli
+std::string lettersOf(std::string_view text) {
+  std::string letters;
+  for (const char each : text) {
+    const bool goesOn = (static_cast<unsigned char>(each) & 0xC0U) == 0x80U;
+    if (!goesOn || letters.empty()) letters.push_back(each);
+  }
+  return letters;
+}
+
+}  // namespace pongsim::rendering

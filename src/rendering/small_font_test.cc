@@ -1,11 +1,11 @@
-#include "cli/view/small_font.hh"
+#include "rendering/small_font.hh"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
-namespace pongsim::cli {
+namespace pongsim::rendering {
 namespace {
 
 TEST(SmallFont, HasADifferentShapeForEachLetter) {
@@ -27,4 +27,4 @@ TEST(SmallFont, DrawsLettersUprightFromTheLeft) {
 }
 
 }  // namespace
-}  // namespace pongsim::cli
+}  // namespace pongsim::rendering
