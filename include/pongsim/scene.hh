@@ -95,6 +95,7 @@ class PONGSIM_API Scene {
   std::vector<std::uint64_t> topLevelIds() const;
 
  private:
+  friend class MarkerServices;
   friend class StatePlayer;
   friend class StateWatch;
   sim::Access* access_;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,7 @@ class Renderer::Content {
         resolve_(gl_),
         depthPass_(gl_),
         sky_(gl_, shaders::kSkyVertex, shaders::kSkyFragment),
+        markerProgram_(gl_, shaders::kSurfaceVertex, shaders::kMarkerFragment),
         lines_(gl_) {
     gl_.clipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.genBuffers(1, &lamps_);
@@ -119,6 +121,7 @@ class Renderer::Content {
     drawBackground(scene, view, lighting.block);
     surfaces_.setLight(lighting.kinds);
     const Matrix4d clip = clipFromPlace(view);
+    drawMarkersInColors(scene, view, clip, false);
     const Program* inUse = nullptr;
     for (const Item* item : seenItems(scene, view, clip)) {
       const Program& program = surfaces_.of(*item);
@@ -130,6 +133,7 @@ class Renderer::Content {
       drawInColors(*item, view.X_WorldEye.position);
     }
     if (!scene.billboards().empty()) drawBillboards(scene, view, clip);
+    drawMarkersInColors(scene, view, clip, true);
     gl_.disable(GL_BLEND);
     gl_.depthMask(GL_TRUE);
     lines_.draw(view, clip);
@@ -174,6 +178,10 @@ class Renderer::Content {
     for (const Item* item : seenItems(scene, view, clip)) {
       pass.set(*item, store_);
       drawSurface(*item, view.X_WorldEye.position);
+    }
+    // they have no number and no temperature
+    if constexpr (std::is_same_v<Pass, DepthPass>) {
+      for (const PlacedMarker& marker : scene.markers()) drawMarker(marker, view);
     }
     frame.read(values);
   }
@@ -261,6 +269,36 @@ class Renderer::Content {
     drawSurface(item, eye);
   }
 
+  /// Opaque ones come before what shines through, translucent ones after it.
+  void drawMarkersInColors(const Scene& scene, const PictureView& view, const Matrix4d& clip, bool isTranslucent) {
+    if (scene.markers().empty()) return;
+    markerProgram_.use();
+    setMatrix(shaders::kClipFromPlace, clip);
+    if (isTranslucent) {
+      gl_.enable(GL_BLEND);
+      gl_.blendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+      gl_.depthMask(GL_FALSE);
+    }
+    for (const PlacedMarker& marker : scene.markers()) {
+      if ((marker.marker->color.w() < 1) == isTranslucent) drawMarker(marker, view);
+    }
+  }
+
+  /// With the program that is in use; the others than that for markers take no colour.
+  void drawMarker(const PlacedMarker& marker, const PictureView& view) {
+    constexpr GLenum kModes[] = {GL_TRIANGLES, GL_LINES, GL_POINTS};
+    gl_.disable(GL_CULL_FACE);
+    for (const MarkerPart& part : *marker.parts) {
+      Eigen::Affine3d X_PlacePart = marker.X_WorldPart(part, view.X_WorldEye.rotation);
+      X_PlacePart.translation() -= view.X_WorldEye.position;
+      setMatrix(shaders::kPlaceFromSurface, X_PlacePart.matrix());
+      const Eigen::Vector4f& own = marker.marker->color;
+      const Eigen::Vector3f color = part.color.value_or(own.head<3>());
+      gl_.uniform4fv(shaders::kDiffuse, 1, Eigen::Vector4f(color.x(), color.y(), color.z(), own.w()).data());
+      store_.draw(part.surface, kModes[static_cast<std::size_t>(part.kind)]);
+    }
+  }
+
   void drawSurface(const Item& item, const Vector3& eye) {
     setMatrix(shaders::kPlaceFromSurface, placeFromSurface(item, eye));
     const Matrix3 normals = item.X_WorldSurface().rotation.toRotationMatrix() * item.scale.cwiseInverse().asDiagonal();
@@ -299,6 +337,7 @@ class Renderer::Content {
   std::unique_ptr<Billboards> billboards_;
   std::vector<float> values_;
   Program sky_;
+  Program markerProgram_;
   Lines lines_;
   std::map<std::tuple<Frame::Kind, std::uint32_t, std::uint32_t, int>, std::unique_ptr<Frame>> frames_;
   GLuint lamps_ = 0;

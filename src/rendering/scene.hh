@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
 #include "rendering/paint.hh"
+#include "rendering/placed_markers.hh"
 #include "rendering/surface.hh"
 #include "world/entities.hh"
 #include "world/new_color.hh"
@@ -132,7 +134,13 @@ class Scene {
   /// @param state Of the same entities.
   void update(const world::Entities& entities, const world::State& state);
 
+  /// Shows these markers instead of others, at the current poses of their parents.
+  void show(const MarkerList& markers, const world::Entities& entities, const world::State& state) {
+    if (markers_.update(markers, entities, state)) ++version_;
+  }
+
   const std::vector<Item>& items() const { return items_; }
+  std::span<const PlacedMarker> markers() const { return markers_.all(); }
   const std::vector<Lamp>& lamps() const { return lamps_; }
   const std::vector<Billboard>& billboards() const { return billboards_; }
   /// See `CameraScene::visuals`.
@@ -140,7 +148,8 @@ class Scene {
   const description::Scene& surroundings() const { return surroundings_; }
   /// @return Simulated time of the last `update`.
   Time time() const { return time_; }
-  /// @return A number that increases whenever items are added or removed, or have another surface.
+  /// @return A number that increases whenever items are added or removed, or have another surface,
+  /// and likewise markers.
   std::uint64_t version() const { return version_; }
 
   /// See `CameraScene::bounds`; `kNoSlot` means all models.
@@ -173,6 +182,7 @@ class Scene {
   std::vector<Lamp> lamps_;
   std::vector<description::Light> addedLights_;
   std::vector<Billboard> billboards_;
+  PlacedMarkers markers_;
   description::Scene surroundings_;
   std::optional<Vector3> background_;
   std::optional<Vector3> ambient_;

@@ -221,6 +221,13 @@ out float depth;
 void main() { depth = dot(place, ahead); }
 )";
 
+/// Markers: one colour, whatever light there is.
+inline constexpr const char* kMarkerFragment = R"(#version 450 core
+layout(location = 3) uniform vec4 tint;
+out vec4 color;
+void main() { color = tint; }
+)";
+
 inline constexpr const char* kShadowFragment = R"(#version 450 core
 void main() {}
 )";

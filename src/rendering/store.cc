@@ -17,11 +17,11 @@ Store::~Store() {
   gl_.deleteTextures(1, &white_);
 }
 
-void Store::draw(const std::shared_ptr<const Surface>& surface) {
+void Store::draw(const std::shared_ptr<const Surface>& surface, GLenum mode) {
   const auto [entry, isNew] = surfaces_.try_emplace(surface);
   if (isNew) entry->second = takeIn(*surface);
   gl_.bindVertexArray(entry->second.vertexArray);
-  gl_.drawElements(GL_TRIANGLES, entry->second.count, GL_UNSIGNED_INT, nullptr);
+  gl_.drawElements(mode, entry->second.count, GL_UNSIGNED_INT, nullptr);
 }
 
 void Store::use(GLuint unit, const std::shared_ptr<const assets::Picture>& picture, bool isColor) {

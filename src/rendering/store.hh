@@ -19,7 +19,8 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   /// Draws a surface, uploading it the first time.
-  void draw(const std::shared_ptr<const Surface>& surface);
+  /// @param mode What its corners are: of triangles, or of lines or points.
+  void draw(const std::shared_ptr<const Surface>& surface, GLenum mode = GL_TRIANGLES);
 
   /// Binds an image to a texture unit for the shaders, uploading it the first time.
   /// @param picture Null: white.

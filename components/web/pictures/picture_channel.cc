@@ -89,6 +89,7 @@ void PictureChannel::updateScene(const World& world, const StepInfo& step) {
   try {
     if (!scene_) {
       scene_ = std::make_unique<CameraScene>(world);
+      scene_->setMarkerViewers(MarkerViewers::kPeople);
       // the page warns of files that are missing
       Diagnostics none;
       scene_->rebuild(none);

@@ -15,6 +15,7 @@
 #include "pongsim/files/fuel_address.hh"
 #include "pongsim/message.hh"
 #include "pongsim/scene.hh"
+#include "pongsim/sensing/marker_services.hh"
 #include "pongsim/system.hh"
 #include "pongsim/world_edits.hh"
 #include "web/assets/world_files.hh"
@@ -74,6 +75,7 @@ class Web final : public System {
                    Declaration::Place::kWorld);
     declaration.standsOutside();
     parameters_.declare(declaration);
+    MarkerServices::declare(declaration, MarkerViewers::kPeople);
   }
 
   void configure(const SystemContext& context) override {
@@ -104,6 +106,8 @@ class Web final : public System {
     feed_.emplace(context.world, channel_);
     relay_.emplace(hub_->worlds(), name, context.node, context.log);
     mustAnnounce_ = hub_.use_count() == 1;
+    // the services have the same name in all worlds: those of a run are of its first world
+    if (mustAnnounce_) markers_.emplace(context.world, context.node, context.log, MarkerViewers::kPeople);
   }
 
   void preUpdate(const StepInfo& step) override {
@@ -117,9 +121,15 @@ class Web final : public System {
 
   void postUpdate(const StepInfo& step) override {
     if (!feed_) return;
+    if (markers_) markers_->update(step.time);
     feed_->update(step);
     pictures_->update(*world_, step);
     contacts_->update(*world_, step);
+  }
+
+  void reset() override {
+    // before the first step, which may have the time of the last one
+    if (markers_) markers_->update(Time(0));
   }
 
   void worldChanged() override {
@@ -166,6 +176,7 @@ class Web final : public System {
   std::shared_ptr<PoseChannel> channel_;
   std::shared_ptr<PictureChannel> pictures_;
   std::shared_ptr<ContactChannel> contacts_;
+  std::optional<MarkerServices> markers_;
   std::optional<PoseFeed> feed_;
   std::optional<Relay> relay_;
   /// Duration of the last step [s].

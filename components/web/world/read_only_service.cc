@@ -6,7 +6,7 @@ namespace pongsim::web {
 
 namespace {
 
-constexpr std::string_view kOfTheServer[] = {"/gazebo/worlds", "/gazebo/resource_paths/get"};
+constexpr std::string_view kOfTheServer[] = {"/gazebo/worlds", "/gazebo/resource_paths/get", "/marker/list"};
 constexpr std::string_view kOfAWorld[] = {"/scene/info", "/scene/graph",       "/state",
                                           "/gui/info",   "/particle_emitters", "/generate_world_sdf"};
 constexpr std::string_view kWorld = "/world/";

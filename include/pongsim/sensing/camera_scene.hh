@@ -13,6 +13,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
+#include "pongsim/sensing/marker_services.hh"
 #include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
 
@@ -62,6 +63,9 @@ class PONGSIM_API CameraScene {
 
   /// Adds a light to those of the world, for good.
   void addLight(const VisibleLight& light);
+
+  /// Sets whose markers are in pictures; at first those for sensors. Call it before `update`.
+  void setMarkerViewers(MarkerViewers viewers);
 
   /// Adds visuals and lights, and reads mesh and texture files. Call it first, and after models were added or removed
   /// (`System::worldChanged`).

@@ -11,6 +11,7 @@
 #include "cameras/segmentation_camera.hh"
 #include "cameras/thermal_camera.hh"
 #include "lidar.hh"
+#include "pongsim/sensing/marker_services.hh"
 #include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
@@ -100,18 +101,27 @@ class Sensors final : public SensorSystem {
     declaration.publishes(sensor + "/boundingbox_image", kImage, "its image with the boxes drawn");
     declaration.publishes(sensor + "/camera_info", "ignition.msgs.CameraInfo",
                           "of each camera, beside its images; renamed by `<camera_info_topic>`");
+    MarkerServices::declare(declaration, MarkerViewers::kSensors);
     SensorSystem::declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
     plugin_ = &context.sdf;
+    logger_ = &context.log;
     SensorSystem::configure(context);
   }
 
   void postUpdate(const StepInfo& info) override {
     if (lidars_) lidars_->beginStep();
     if (cameras_) cameras_->beginStep();
+    if (markers_) markers_->update(info.time);
     SensorSystem::postUpdate(info);
+  }
+
+  void reset() override {
+    // before the first step, which may have the time of the last one
+    if (markers_) markers_->update(Time(0));
+    SensorSystem::reset();
   }
 
  protected:
@@ -148,6 +158,7 @@ class Sensors final : public SensorSystem {
       auto made = std::make_unique<CameraSurroundings>(context.world, restsWithoutPower_);
       made->scene().setColors(colorIn(*plugin_, "background_color"), colorIn(*plugin_, "ambient_light"));
       cameras_ = std::move(made);
+      markers_.emplace(context.world, context.node, *logger_, MarkerViewers::kSensors);
       cameras_->rebuild(context.diagnostics);
     }
     return *cameras_;
@@ -155,8 +166,10 @@ class Sensors final : public SensorSystem {
 
   bool restsWithoutPower_ = false;
   const Element* plugin_ = nullptr;
+  const Logger* logger_ = nullptr;
   std::unique_ptr<LidarSurroundings> lidars_;
   std::unique_ptr<CameraSurroundings> cameras_;
+  std::optional<MarkerServices> markers_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ class FileSight final : public Sight {
  public:
   explicit FileSight(std::unique_ptr<Simulation> simulation)
       : simulation_(std::move(simulation)), scene_(simulation_->world()), start_(simulation_->time()) {
+    scene_.setMarkerViewers(MarkerViewers::kPeople);
     Diagnostics found;
     scene_.rebuild(found);
     say(found, Severity::kWarning, Severity::kError);

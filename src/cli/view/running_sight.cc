@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "cli/files/diagnostic_report.hh"
+#include "cli/look_around.hh"
 #include "cli/stop_signal.hh"
 #include "cli/view/view_command.hh"
 #include "cli/world/world_finder.hh"
 #include "cli/world/world_state.hh"
 #include "msgs/control/status_messages.hh"
+#include "msgs/scene/marker_message.hh"
 #include "msgs/state/visible_world.hh"
 #include "pongsim/node.hh"
 #include "rendering/renderer.hh"
@@ -24,6 +26,8 @@ namespace pongsim::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* kMarkerList = "/marker/list";
 
 /// A world at the time of a message.
 struct Snapshot {
@@ -42,7 +46,9 @@ struct Snapshot {
 class RunningSight final : public Sight {
  public:
   RunningSight(std::unique_ptr<Transport> transport, std::string world, std::chrono::nanoseconds timeout)
-      : transport_(std::move(transport)), world_(std::move(world)), timeout_(timeout) {}
+      : transport_(std::move(transport)), world_(std::move(world)), timeout_(timeout) {
+    for (const ServiceInfo& service : servicesAround(*transport_)) hasMarkers_ |= service.name == kMarkerList;
+  }
 
   /// Asks for what is there now.
   /// @return Whether there was an answer.
@@ -59,6 +65,7 @@ class RunningSight final : public Sight {
       sayNew(missing);
     }
     stage_->scene.update(now_->entities, now_->state);
+    stage_->scene.show(markers(), now_->entities, now_->state);
     answer_ = std::move(answer);
     return true;
   }
@@ -119,6 +126,24 @@ class RunningSight final : public Sight {
     rendering::Renderer renderer;
   };
 
+  /// @return The markers that the world's page shows; none if it has no page.
+  rendering::MarkerList markers() {
+    if (!hasMarkers_) return {};
+    const MessagePointer request = newMessage("ignition.msgs.Empty"), reply = newMessage("ignition.msgs.Marker_V");
+    rendering::MarkerList list;
+    // all worlds' services have this name
+    if (!transport_->node().call(kMarkerList, *request, *reply, timeout_) || msgs::worldOfMarkers(*reply) != world_) {
+      return list;
+    }
+    world::Markers told;
+    for (const Message* message : msgs::markersIn(*reply)) {
+      const Outcome<world::MarkerChange> change = msgs::markerChange(*message);
+      if (change) told.apply(*change.value, now_->state.time);
+    }
+    for (const auto& [key, marker] : told.all()) list.push_back(marker);
+    return list;
+  }
+
   void sayNew(const Diagnostics& found) {
     Diagnostics unsaid;
     for (const Diagnostic& each : found.all()) {
@@ -130,6 +155,7 @@ class RunningSight final : public Sight {
   std::unique_ptr<Transport> transport_;
   std::string world_;
   std::chrono::nanoseconds timeout_;
+  bool hasMarkers_ = false;
   Clock::time_point start_ = Clock::now();
   MessagePointer answer_;
   std::unique_ptr<Snapshot> built_, now_;

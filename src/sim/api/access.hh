@@ -16,6 +16,7 @@
 #include "sim/inputs/outside_changes.hh"
 #include "sim/levels.hh"
 #include "world/entities.hh"
+#include "world/markers.hh"
 #include "world/new_color.hh"
 #include "world/particles.hh"
 #include "world/state.hh"
@@ -87,6 +88,9 @@ class Access {
   }
   /// Colours of visuals that were changed.
   std::map<VisualId, world::NewColor> colors = {};
+  /// Shapes that programs add for sensors, and for people.
+  world::Markers sensorMarkers = {};
+  world::Markers peopleMarkers = {};
   /// The noise of sensors; several where several systems simulate one.
   std::multimap<SensorId, NoiseSet*> noises = {};
   /// Ask `particlesNow`.

@@ -21,6 +21,19 @@ struct CameraScene::Content {
   rendering::Scene scene = {};
   /// `Access::changes` at the last `rebuild`.
   std::uint64_t changes = 0;
+  MarkerViewers viewers = MarkerViewers::kSensors;
+
+  rendering::MarkerList markers() const {
+    const bool isSensor = viewers == MarkerViewers::kSensors;
+    rendering::MarkerList list;
+    for (const auto& [key, marker] : (isSensor ? access.sensorMarkers : access.peopleMarkers).all()) {
+      list.push_back(marker);
+    }
+    for (const auto& [key, marker] : (isSensor ? access.peopleMarkers : access.sensorMarkers).all()) {
+      if (marker->isForAll) list.push_back(marker);
+    }
+    return list;
+  }
 };
 
 CameraScene::CameraScene(const World& world)
@@ -52,6 +65,8 @@ void CameraScene::addLight(const VisibleLight& light) {
   content_->scene.addLight(added);
 }
 
+void CameraScene::setMarkerViewers(MarkerViewers viewers) { content_->viewers = viewers; }
+
 void CameraScene::rebuild(Diagnostics& diagnostics) {
   content_->changes = content_->access.changes;
   content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
@@ -66,6 +81,7 @@ void CameraScene::update() {
   content_->scene.update(content_->access.entities, content_->access.state);
   content_->scene.paint(content_->access.colors);
   content_->scene.place(content_->access.particlesNow(), content_->access.entities, content_->access.state.time);
+  content_->scene.show(content_->markers(), content_->access.entities, content_->access.state);
 }
 
 void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {

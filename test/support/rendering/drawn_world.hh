@@ -92,6 +92,9 @@ class DrawnWorld : public pongsim::test::VisualWorld {
 
   void paint(const std::map<VisualId, world::NewColor>& colors) { scene_.paint(colors); }
 
+  void show(const MarkerList& markers) { scene_.show(markers, entities(), state()); }
+  std::optional<Pose> parentPose(const std::string& parent) { return markerParentPose(parent, entities(), state()); }
+
   const Scene& scene() const { return scene_; }
 
  private:

@@ -1,5 +1,6 @@
 /// One world on the page: its context, panels and view. Created anew when another world is selected.
 import type { Connection } from '../connection/connection.ts';
+import { MarkerFeed } from '../connection/markers.ts';
 import type { Sixfold } from '../connection/poses.ts';
 import { quaternionOf, rollPitchYawOf } from '../connection/poses.ts';
 import type { Message } from '../connection/types.ts';
@@ -135,9 +136,11 @@ export class Shell {
   }
 
   private connectView(): void {
-    const { view, world, selection } = this.context;
+    const { connection, view, world, selection } = this.context;
     if (!view) return;
+    const markers = new MarkerFeed(connection, world.name, (all) => view.setMarkers(all));
     this.ends.add(
+      () => markers.end(),
       world.changed.on(() => {
         if (!world.scene) return;
         view.setScene(world.scene);

@@ -13,6 +13,7 @@ import { Cloud } from './overlays/cloud.ts';
 import { ContactsByKey } from './overlays/contacts.ts';
 import { type Theme, gridOf } from './overlays/grid.ts';
 import { Marked } from './overlays/marked.ts';
+import { Markers } from './overlays/markers.ts';
 import { MeasureLine } from './overlays/measure_line.ts';
 import { Outline } from './overlays/outline.ts';
 import { Scan } from './overlays/scan.ts';
@@ -68,6 +69,7 @@ export class View {
   private readonly scans: Sensed;
   private readonly clouds: Sensed;
   private readonly contacts = new ContactsByKey();
+  private readonly markers: Markers;
   private readonly trails = new Map<number, Trail>();
   private readonly handles: Handles;
   private readonly drag: Drag;
@@ -122,6 +124,7 @@ export class View {
     this.marked = new Marked(this.stage, this.shown, invalidate);
     this.scans = new Sensed(this.stage, () => new Scan());
     this.clouds = new Sensed(this.stage, () => new Cloud());
+    this.markers = new Markers(this.stage);
     this.drag = new Drag(this.stage.places, invalidate);
     this.handles = new Handles(this.orbitCamera.camera, this.canvas, this.stage.root, {
       moved: (placement, during) => this.handlesMoved(poseOf(placement), during),
@@ -138,7 +141,7 @@ export class View {
       hover: (x, y) => this.placing.isActive && this.placing.hover(x, y),
     });
     this.orbitCamera.controls.connect(this.canvas);
-    const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object, this.measure.group, this.contacts.group];
+    const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object, this.measure.group, this.contacts.group, this.markers.group];
     this.stage.root.add(this.grid, ...over);
     this.sizes = new ResizeObserver(() => this.resize());
     this.sizes.observe(parent);
@@ -230,6 +233,7 @@ export class View {
     if (moved.length > 0) {
       this.scans.update();
       this.clouds.update();
+      this.markers.update();
     }
     const isHurried = !isStill && (this.fullScale > 1 || this.resolution.isReduced);
     const hasContact = this.wantsShadows && this.sceneShadows && !this.isAsCameras && !isHurried;
@@ -252,6 +256,7 @@ export class View {
     // trails of removed entities end, because the page can't end them any more
     for (const id of [...this.trails.keys()]) if (!this.stage.content.places.has(id)) this.setTrail(id, false);
     this.marked.rebuild();
+    this.markers.update();
     this.sceneChanged();
   }
 
@@ -385,6 +390,12 @@ export class View {
     this.invalidate();
   }
 
+  /// Shows these ignition.msgs.Marker instead of the current ones.
+  setMarkers(markers: ReadonlyMap<string, Message>): void {
+    this.markers.set(markers);
+    this.invalidate();
+  }
+
   setTrail(entity: number, on: boolean): void {
     const before = this.trails.get(entity);
     if (on === (before !== undefined)) return;
@@ -478,6 +489,7 @@ export class View {
     this.scans.clear();
     this.clouds.clear();
     this.contacts.clear();
+    this.markers.dispose();
     this.stage.dispose();
     this.renderer.dispose();
     this.canvas.remove();
