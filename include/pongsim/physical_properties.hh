@@ -9,6 +9,7 @@
 #include "pongsim/handles.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/sensing/noise_settings.hh"
+#include "pongsim/visual_colors.hh"
 
 namespace pongsim {
 
@@ -83,6 +84,8 @@ class PONGSIM_API PhysicalProperties {
   /// @param color Red, green, blue, 0 to 1, as in `<diffuse>`.
   /// @param glows Whether the visual also emits it (`<emissive>`), and so has it in the dark, too.
   Outcome<void> setColor(VisualId visual, const Vector3& color, bool glows = false);
+  /// The same for each of its colours. What is left out stays as it is.
+  Outcome<void> setColors(VisualId visual, const VisualColors& colors);
 
   /// Positions between which a joint's axis moves [rad or m], and the largest force or torque of its motor and of
   /// commands [N m or N]. With `lower` and `upper` the same, it is locked there. May be infinite; NaN is refused.

@@ -91,6 +91,9 @@ class PONGSIM_API Scene {
   /// @return What the file says that the model stands for. The model must exist.
   const Semantics& semantics(ModelId model) const;
 
+  /// @return A number that changes with the colours of visuals (`PhysicalProperties::setColors`).
+  std::uint64_t colorChanges() const;
+
   /// @return The ids of top-level models and lights, in ascending order.
   std::vector<std::uint64_t> topLevelIds() const;
 

@@ -31,7 +31,7 @@ CoreSystem userCommands() {
   serves("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates",
          "sets the position on the earth of the world or of a top-level model");
   serves("light_config", "ignition.msgs.Light", "changes a light");
-  serves("visual_config", "ignition.msgs.Visual", "changes the colour of a visual");
+  serves("visual_config", "ignition.msgs.Visual", "changes the colours of a visual");
   serves("set_mass", "ignition.msgs.Link", "sets the mass of a link");
   serves("set_joint_position", "ignition.msgs.Joint", "moves the axes of a joint");
   serves("set_physics", "ignition.msgs.Physics", "sets step size, gravity and real-time factor");

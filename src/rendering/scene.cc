@@ -271,6 +271,7 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     if (item.pictures[kGlowMap] != nullptr && item.paint.emissive.isZero()) item.paint.emissive.setOnes();
     item.fileDiffuse = item.paint.diffuse;
     item.fileAmbient = item.paint.ambient;
+    item.fileSpecular = item.paint.specular;
     item.fileEmissive = item.paint.emissive;
     item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
     item.scale = body.scale;
@@ -327,15 +328,20 @@ std::optional<Warmth> Scene::warmthOf(const std::optional<description::Heat>& he
   return Warmth{std::min(coldest, hottest), std::max(coldest, hottest), pictureOf(heat->signature, warn)};
 }
 
-void Scene::paint(const std::map<VisualId, world::NewColor>& colors) {
+void Scene::paint(const std::map<VisualId, VisualColors>& colors) {
   if (colors.empty() && !isPainted_) return;
   isPainted_ = !colors.empty();
+  static const VisualColors kNone;
+  const auto colorOr = [](const std::optional<Vector3>& color, const Eigen::Vector3f& otherwise) -> Eigen::Vector3f {
+    return color ? color->cast<float>() : otherwise;
+  };
   for (Item& item : items_) {
     const auto found = colors.find(item.id);
-    const bool isPainted = found != colors.end();
-    item.paint.diffuse = isPainted ? Eigen::Vector3f(found->second.color.cast<float>()) : item.fileDiffuse;
-    item.paint.ambient = isPainted ? item.paint.diffuse : item.fileAmbient;
-    item.paint.emissive = isPainted && found->second.glows ? item.paint.diffuse : item.fileEmissive;
+    const VisualColors& told = found == colors.end() ? kNone : found->second;
+    item.paint.diffuse = colorOr(told.diffuse, item.fileDiffuse);
+    item.paint.ambient = colorOr(told.ambient, colorOr(told.diffuse, item.fileAmbient));
+    item.paint.specular = colorOr(told.specular, item.fileSpecular);
+    item.paint.emissive = colorOr(told.emissive, item.fileEmissive);
   }
 }
 

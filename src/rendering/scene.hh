@@ -22,11 +22,11 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/sensing/seen_visual.hh"
 #include "pongsim/types.hh"
+#include "pongsim/visual_colors.hh"
 #include "rendering/paint.hh"
 #include "rendering/placed_markers.hh"
 #include "rendering/surface.hh"
 #include "world/entities.hh"
-#include "world/new_color.hh"
 #include "world/particles.hh"
 #include "world/state.hh"
 
@@ -57,7 +57,7 @@ struct Item {
   /// Unset for one of an actor.
   VisualId id;
   /// Of the file, if the paint has others.
-  Eigen::Vector3f fileDiffuse, fileAmbient, fileEmissive;
+  Eigen::Vector3f fileDiffuse, fileAmbient, fileSpecular, fileEmissive;
   Pose X_LinkSurface;
   /// Along the axes of the surface, before rotation.
   Vector3 scale = Vector3::Ones();
@@ -123,8 +123,7 @@ class Scene {
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics);
 
   /// Gives visuals other colours, and all others those of the file again.
-  /// @param colors Red, green, blue, 0 to 1.
-  void paint(const std::map<VisualId, world::NewColor>& colors);
+  void paint(const std::map<VisualId, VisualColors>& colors);
 
   /// Replaces all particles.
   /// @param time Now.

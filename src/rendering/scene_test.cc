@@ -251,18 +251,23 @@ TEST_F(Pictures, ShowVisualsInTheirPresentColors) {
   world.start();
   const auto paintOf = [&](std::size_t item) -> const Paint& { return world.scene().items()[item].paint; };
   const Eigen::Vector3f diffuse = paintOf(0).diffuse, ambient = paintOf(0).ambient, color(0, 1, 0.5F);
-  const Eigen::Vector3f emissive = paintOf(0).emissive;
-  world.paint({{world.scene().items()[1].id, {.color = {0, 1, 0.5}}}});
+  const Eigen::Vector3f emissive = paintOf(0).emissive, specular = paintOf(0).specular;
+  world.paint({{world.scene().items()[1].id, {.diffuse = Vector3(0, 1, 0.5)}}});
   EXPECT_EQ(paintOf(1).diffuse, color);
   EXPECT_EQ(paintOf(1).ambient, color);
   EXPECT_EQ(paintOf(0).diffuse, diffuse);
   EXPECT_EQ(paintOf(1).emissive, emissive);
-  world.paint({{world.scene().items()[1].id, {.color = {0, 1, 0.5}, .glows = true}}});
+  world.paint({{world.scene().items()[1].id,
+                {.ambient = Vector3(1, 0, 0), .specular = Vector3(0, 0, 1), .emissive = Vector3(0, 1, 0.5)}}});
+  EXPECT_EQ(paintOf(1).diffuse, diffuse);
+  EXPECT_EQ(paintOf(1).ambient, Eigen::Vector3f(1, 0, 0));
+  EXPECT_EQ(paintOf(1).specular, Eigen::Vector3f(0, 0, 1));
   EXPECT_EQ(paintOf(1).emissive, color);
   world.paint({});
   EXPECT_EQ(paintOf(1).emissive, emissive);
   EXPECT_EQ(paintOf(1).diffuse, diffuse);
   EXPECT_EQ(paintOf(1).ambient, ambient);
+  EXPECT_EQ(paintOf(1).specular, specular);
 }
 
 TEST_F(Pictures, TellThatTheirEdgeIsTooLong) {

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "pongsim/scene.hh"
+
 namespace pongsim::web {
 
 namespace {
 
 constexpr std::chrono::nanoseconds kPeriod{1'000'000'000 / 60};
 constexpr std::chrono::milliseconds kPaceWindow{500};
+// the shortest time between two readings of the scene because of colours: lights may blink
+constexpr std::chrono::seconds kColorPeriod{1};
 // The feed writes one, the channel has the latest, the server's thread reads one, and one is spare.
 constexpr std::size_t kPool = 4;
 
@@ -119,6 +123,7 @@ void PoseFeed::take(const StepInfo& step) {
     group_.emplace(world_, roster_->links());
     ++revision_;
   }
+  tellOfColors(Clock::now());
   std::shared_ptr<PoseSnapshot> snapshot = freeSnapshot();
   snapshot->status = {.timeNs = static_cast<std::uint64_t>(step.time.count()),
                       .iterations = step.iteration,
@@ -131,6 +136,14 @@ void PoseFeed::take(const StepInfo& step) {
   snapshot->X_WorldActors.clear();
   for (const Actor& actor : roster_->actors()) snapshot->X_WorldActors.push_back(actor.pose());
   channel_->show(std::move(snapshot));
+}
+
+void PoseFeed::tellOfColors(Clock::time_point now) {
+  const std::uint64_t changes = Scene(world_).colorChanges();
+  if (changes == colorChanges_ || now - colorsTold_ < kColorPeriod) return;
+  colorChanges_ = changes;
+  colorsTold_ = now;
+  ++revision_;
 }
 
 std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {

@@ -95,12 +95,17 @@ class PoseFeed {
   void take(const StepInfo& step);
   std::shared_ptr<PoseSnapshot> freeSnapshot();
   double realTimeFactor(const StepInfo& step, Clock::time_point now);
+  /// Lets pages read the scene again where visuals have other colours.
+  void tellOfColors(Clock::time_point now);
 
   World world_;
   std::shared_ptr<PoseChannel> channel_;
   std::shared_ptr<const Roster> roster_;
   std::optional<LinkGroup> group_;
   std::uint32_t revision_ = 0;
+  /// `Scene::colorChanges` that pages know of, and when they were told.
+  std::uint64_t colorChanges_ = 0;
+  Clock::time_point colorsTold_{};
   std::vector<std::shared_ptr<PoseSnapshot>> pool_;
   /// Start of the last half second over which the real-time factor is measured.
   Clock::time_point paceBegan_{};

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "pongsim/physical_properties.hh"
 #include "support/running_world.hh"
 #include "support/wait_until.hh"
 #include "web/server/client_queue.hh"
@@ -131,6 +132,17 @@ TEST_F(PoseFeedTest, TellsAllAgainWhenModelsCome) {
   EXPECT_EQ(countIn(frame), 2U);
   EXPECT_EQ(at<std::uint32_t>(frame, 4), 1U);
   EXPECT_NE(at<std::uint32_t>(frame, 40), revision);
+}
+
+TEST_F(PoseFeedTest, LetsPagesReadTheSceneAgainWhenColorsChange) {
+  const auto client = std::make_shared<FreeClient>();
+  const auto seen = open(client);
+  const std::uint32_t revision = at<std::uint32_t>(next(*client), 40);
+  PhysicalProperties properties(world_.simulation().world());
+  ASSERT_TRUE(properties.setColors(VisualId{1}, {.specular = Vector3(1, 0, 0)}));
+  EXPECT_EQ(at<std::uint32_t>(next(*client), 40), revision + 1);
+  ASSERT_TRUE(properties.setColors(VisualId{1}, {.specular = Vector3(0, 0, 0)}));
+  EXPECT_EQ(at<std::uint32_t>(next(*client), 40), revision + 1) << "not with each change: lights may blink";
 }
 
 TEST_F(PoseFeedTest, ComesAtMost60TimesASecond) {

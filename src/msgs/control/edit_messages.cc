@@ -93,10 +93,12 @@ WheelSlip wheelSlip(const Message& message) {
 VisualLook visualLook(const Message& message) {
   const auto& asked = static_cast<const im::Visual&>(message);
   VisualLook look{asked.id(), asked.name(), asked.parent_name(), asked.parent_id(), {}};
-  if (asked.material().has_diffuse()) {
-    const im::Color& color = asked.material().diffuse();
-    look.color = Vector3(color.r(), color.g(), color.b());
-  }
+  const im::Material& material = asked.material();
+  const auto rgb = [](const im::Color& color) { return Vector3(color.r(), color.g(), color.b()); };
+  if (material.has_diffuse()) look.colors.diffuse = rgb(material.diffuse());
+  if (material.has_ambient()) look.colors.ambient = rgb(material.ambient());
+  if (material.has_specular()) look.colors.specular = rgb(material.specular());
+  if (material.has_emissive()) look.colors.emissive = rgb(material.emissive());
   return look;
 }
 

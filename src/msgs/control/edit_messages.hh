@@ -9,6 +9,7 @@
 #include "pongsim/geometry/geodesy.hh"
 #include "pongsim/message.hh"
 #include "pongsim/types.hh"
+#include "pongsim/visual_colors.hh"
 
 namespace pongsim::msgs {
 
@@ -85,8 +86,7 @@ struct VisualLook {
   std::string name;
   std::string link;
   std::uint64_t linkId = 0;
-  /// Red, green, blue.
-  std::optional<Vector3> color;
+  VisualColors colors;
 };
 
 /// The request in an `ignition.msgs.Link`.

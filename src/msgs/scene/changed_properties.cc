@@ -7,12 +7,17 @@ std::optional<description::Material> materialNow(const description::Visual& visu
   const auto found = changed.colors.find(id);
   if (found == changed.colors.end()) return visual.material;
   description::Material material = visual.material.value_or(description::Material());
-  const Eigen::Vector3f color = found->second.color.cast<float>();
+  const VisualColors& colors = found->second;
+  const auto set = [](const std::optional<Vector3>& color, description::Color& to) {
+    if (!color) return;
+    const Eigen::Vector3f told = color->cast<float>();
+    to = {told.x(), told.y(), told.z(), to.alpha};
+  };
+  set(colors.diffuse, material.diffuse);
   // as cameras see it
-  for (description::Color* each : {&material.diffuse, &material.ambient}) {
-    *each = {color.x(), color.y(), color.z(), each->alpha};
-  }
-  if (found->second.glows) material.emissive = {color.x(), color.y(), color.z(), material.emissive.alpha};
+  set(colors.ambient ? colors.ambient : colors.diffuse, material.ambient);
+  set(colors.specular, material.specular);
+  set(colors.emissive, material.emissive);
   return material;
 }
 

@@ -5,7 +5,7 @@
 
 #include "description/link.hh"
 #include "pongsim/types.hh"
-#include "world/new_color.hh"
+#include "pongsim/visual_colors.hh"
 
 namespace pongsim::msgs {
 
@@ -17,11 +17,11 @@ struct ChangedProperties {
     /// How many times the moments of inertia of the file the present ones are.
     double inertiaFactor = 1;
   };
-  std::map<VisualId, world::NewColor> colors;
+  std::map<VisualId, VisualColors> colors;
   std::map<LinkId, Mass> masses;
 };
 
-/// @return The material of a visual with the colour that it has now; nothing if it has none of its own.
+/// @return The material of a visual with the colours that it has now; nothing if it has none of its own.
 std::optional<description::Material> materialNow(const description::Visual& visual, VisualId id,
                                                  const ChangedProperties& changed);
 

@@ -9,7 +9,7 @@ TEST(ChangedProperties, GiveVisualsTheirColors) {
   description::Visual visual;
   const VisualId id{3};
   EXPECT_FALSE(materialNow(visual, id, {}));
-  const ChangedProperties red{{{id, {Vector3(1, 0, 0)}}}, {}};
+  const ChangedProperties red{{{id, {.diffuse = Vector3(1, 0, 0)}}}, {}};
   EXPECT_EQ(materialNow(visual, id, red)->diffuse.red, 1) << "also of one without a material";
   visual.material.emplace();
   visual.material->diffuse.alpha = 0.5F;
@@ -21,7 +21,12 @@ TEST(ChangedProperties, GiveVisualsTheirColors) {
   EXPECT_EQ(now.ambient.red, 1);
   EXPECT_FALSE(now.isLit);
   EXPECT_EQ(now.emissive.red, 0);
-  EXPECT_EQ(materialNow(visual, id, {{{id, {Vector3(1, 0, 0), true}}}, {}})->emissive.red, 1) << "where it glows";
+  const VisualColors rest{.ambient = Vector3(0, 1, 0), .specular = Vector3(0, 0, 1), .emissive = Vector3(1, 1, 0)};
+  const description::Material others = *materialNow(visual, id, {{{id, rest}}, {}});
+  EXPECT_EQ(others.diffuse, visual.material->diffuse);
+  EXPECT_EQ(others.ambient.green, 1);
+  EXPECT_EQ(others.specular.blue, 1);
+  EXPECT_EQ(others.emissive.green, 1);
 }
 
 }  // namespace

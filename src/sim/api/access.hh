@@ -13,11 +13,11 @@
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
+#include "pongsim/visual_colors.hh"
 #include "sim/inputs/outside_changes.hh"
 #include "sim/levels.hh"
 #include "world/entities.hh"
 #include "world/markers.hh"
-#include "world/new_color.hh"
 #include "world/particles.hh"
 #include "world/state.hh"
 
@@ -87,7 +87,9 @@ class Access {
     ++changes;
   }
   /// Colours of visuals that were changed.
-  std::map<VisualId, world::NewColor> colors = {};
+  std::map<VisualId, VisualColors> colors = {};
+  /// How often that has been changed.
+  std::uint64_t colorChanges = 0;
   /// Shapes that programs add for sensors, and for people.
   world::Markers sensorMarkers = {};
   world::Markers peopleMarkers = {};

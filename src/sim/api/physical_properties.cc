@@ -1,6 +1,7 @@
 #include "pongsim/physical_properties.hh"
 
 #include <cstdint>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,13 @@ Outcome<void> checkRange(const std::string& what, double number, double least, d
   std::ostringstream text;
   text << what << " must be " << least << " to " << most << ", not " << number;
   return {text.str()};
+}
+
+Outcome<void> checkColor(const Vector3& color) {
+  for (const double share : color) {
+    if (auto checked = checkRange("a colour", share, 0, 1); !checked) return checked;
+  }
+  return {};
 }
 
 /// @return The number of the visual in its link.
@@ -120,10 +128,24 @@ Outcome<void> PhysicalProperties::setResistance(const Joint& joint, const char* 
 }
 
 Outcome<void> PhysicalProperties::setColor(VisualId visual, const Vector3& color, bool glows) {
-  for (const double share : color) {
-    if (auto checked = checkRange("a colour", share, 0, 1); !checked) return checked;
+  if (auto checked = checkColor(color); !checked) return checked;
+  access_->colors[visual] = {.diffuse = color, .emissive = glows ? std::optional(color) : std::nullopt};
+  ++access_->colorChanges;
+  return {};
+}
+
+Outcome<void> PhysicalProperties::setColors(VisualId visual, const VisualColors& colors) {
+  constexpr std::optional<Vector3> VisualColors::*kColors[] = {&VisualColors::diffuse, &VisualColors::ambient,
+                                                               &VisualColors::specular, &VisualColors::emissive};
+  for (const auto color : kColors) {
+    if (!(colors.*color)) continue;
+    if (auto checked = checkColor(*(colors.*color)); !checked) return checked;
   }
-  access_->colors[visual] = {color, glows};
+  VisualColors& now = access_->colors[visual];
+  for (const auto color : kColors) {
+    if (colors.*color) now.*color = colors.*color;
+  }
+  ++access_->colorChanges;
   return {};
 }
 

@@ -93,6 +93,8 @@ const Semantics& Scene::semantics(ModelId model) const {
   return access_->entities.models()[sim::slotOf(*access_, model)].description->semantics;
 }
 
+std::uint64_t Scene::colorChanges() const { return access_->colorChanges; }
+
 std::vector<std::uint64_t> Scene::topLevelIds() const {
   std::vector<std::uint64_t> ids;
   for (const world::Slot model : access_->entities.topLevelModels()) {

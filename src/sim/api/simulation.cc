@@ -341,6 +341,7 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   // what was sent before belongs to the time before
   parts_->transport.discard();
   sim::Editor(parts_->access).reset();
+  if (!parts_->access.colors.empty()) ++parts_->access.colorChanges;
   parts_->access.colors.clear();
   parts_->access.particles.clear();
   if (seed) parts_->access.particles.setSeed(*seed);

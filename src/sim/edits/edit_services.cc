@@ -234,13 +234,16 @@ Outcome<VisualId> EditServices::findVisual(const msgs::VisualLook& asked) {
   return {std::nullopt, "there is no visual '" + asked.name + "' in such a link"};
 }
 
-/// Changes the colour of a visual. Fortress's service has no other visible effect that the messages could show.
+/// Changes the colours of a visual. As in Fortress, only those that are given, and nothing else of the message.
 ServiceAnswer EditServices::setVisual(const Message& request) {
   const msgs::VisualLook asked = msgs::visualLook(request);
-  if (!asked.color) return ServiceAnswer::refused("give the colour: material { diffuse }");
+  const VisualColors& colors = asked.colors;
+  if (!colors.diffuse && !colors.ambient && !colors.specular && !colors.emissive) {
+    return ServiceAnswer::refused("give a colour: material { diffuse }, ambient, specular or emissive");
+  }
   const Outcome<VisualId> visual = findVisual(asked);
   if (!visual) return ServiceAnswer::refused(visual.error);
-  return answerFor(PhysicalProperties(simulation_.world()).setColor(*visual.value, *asked.color));
+  return answerFor(PhysicalProperties(simulation_.world()).setColors(*visual.value, colors));
 }
 
 Outcome<Link> EditServices::findLink(const msgs::EntityName& asked) {

@@ -345,16 +345,27 @@ TEST_F(PropertyServicesTest, ColorVisuals) {
   EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().g(), 0);
   EXPECT_EQ(color("name: 'v', parent_name: 'base', material {diffuse {g: 1}}"), "") << "as Fortress names links";
   EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().g(), 1);
+  EXPECT_EQ(color("name: 'v', parent_name: 'base', material {emissive {r: 1} specular {b: 0.5} ambient {g: 0.25}}"),
+            "");
+  const ignition::msgs::Material more = scene().model(0).link(0).visual(0).material();
+  EXPECT_EQ(more.diffuse().g(), 1) << "what is left out stays";
+  EXPECT_EQ(more.emissive().r(), 1);
+  EXPECT_EQ(more.specular().b(), 0.5F);
+  EXPECT_EQ(more.ambient().g(), 0.25F);
+  const std::uint64_t changes = Scene(simulation_->world()).colorChanges();
   for (const char* bad :
-       {"name: 'v', material {diffuse {}}", "name: 'w', parent_name: 'arm::hand', material {diffuse {}}",
+       {"name: 'v', parent_name: 'arm::hand', material {diffuse {} emissive {g: 1.5}}",
+        "name: 'v', material {diffuse {}}", "name: 'w', parent_name: 'arm::hand', material {diffuse {}}",
         "id: 4711, material {diffuse {}}", "name: 'v', parent_name: 'arm::hand'",
         "name: 'v', parent_name: 'arm::hand', material {diffuse {r: 2}}",
         "name: 'v', parent_name: 'arm::hand', material {diffuse {r: nan}}"}) {
     EXPECT_NE(color(bad), "") << bad;
   }
+  EXPECT_EQ(Scene(simulation_->world()).colorChanges(), changes);
   Diagnostics diagnostics;
   simulation_->reset(diagnostics);
   EXPECT_EQ(scene().model(0).link(0).visual(0).material().diffuse().r(), 1) << "as in the file";
+  EXPECT_NE(Scene(simulation_->world()).colorChanges(), changes);
 }
 
 TEST_F(EditServicesTest, PassWheelSlipsOnToWhoeverListens) {

@@ -90,7 +90,7 @@ class DrawnWorld : public pongsim::test::VisualWorld {
     scene_.place(particles_, entities(), state().time);
   }
 
-  void paint(const std::map<VisualId, world::NewColor>& colors) { scene_.paint(colors); }
+  void paint(const std::map<VisualId, VisualColors>& colors) { scene_.paint(colors); }
 
   void show(const MarkerList& markers) { scene_.show(markers, entities(), state()); }
   std::optional<Pose> parentPose(const std::string& parent) { return markerParentPose(parent, entities(), state()); }
