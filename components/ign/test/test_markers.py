@@ -5,7 +5,7 @@ import unittest
 
 from ign_world import PATIENCE, ROOT, call_once, ign, needs_ign, world
 
-WORLD = ROOT / "plugins/sensors/sensors/sensors.sdf"
+WORLD = ROOT / "worlds/pong_lidar.sdf"
 LIST = "/sensors/marker/list"
 
 
