@@ -14,21 +14,31 @@ using Vector = Articulation::Vector;
 using Inertia = Articulation::Inertia;
 using Shift = Articulation::Shift;
 
-constexpr std::size_t kPadded = 8;
 constexpr std::size_t kRootCoordinates = 6;
 
+[[gnu::always_inline]] inline Loose* lanesOf(Vector& v) { return reinterpret_cast<Loose*>(v.data()); }
+[[gnu::always_inline]] inline const Loose* lanesOf(const Vector& v) { return reinterpret_cast<const Loose*>(v.data()); }
+
 [[gnu::always_inline]] inline double product(const Vector& a, const Vector& b) {
-  return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) + (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
 }
 
 [[gnu::always_inline]] inline void addTo(Vector& to, double factor, const Vector& each) {
-  for (std::size_t k = 0; k < kPadded; ++k) to[k] += factor * each[k];
+  Loose* const sum = lanesOf(to);
+  const Loose* const x = lanesOf(each);
+  sum[0] += factor * x[0];
+  sum[1] += factor * x[1];
 }
 
 [[gnu::always_inline]] inline void multiply(const Inertia& inertia, const Vector& v, Vector& result) {
-  Vector sum{};
-  for (std::size_t row = 0; row < 6; ++row) addTo(sum, v[row], inertia[row]);
-  result = sum;
+  Four first{}, last{};
+  for (std::size_t row = 0; row < 6; ++row) {
+    const Loose* const lanes = lanesOf(inertia[row]);
+    first += v[row] * lanes[0];
+    last += v[row] * lanes[1];
+  }
+  lanesOf(result)[0] = first;
+  lanesOf(result)[1] = last;
 }
 
 /// Moves a wrench to a point further by r: L - r x P.
@@ -47,11 +57,11 @@ constexpr std::size_t kRootCoordinates = 6;
 
 /// Moves an inertia to a point further by r: T^T I T, where T moves a velocity back.
 [[gnu::always_inline]] inline void moveInertia(Inertia& I, const Shift& r) {
-  for (std::size_t k = 0; k < kPadded; ++k) {
-    const double a = I[0][k], b = I[1][k], c = I[2][k];
-    I[3][k] += r[2] * b - r[1] * c;
-    I[4][k] += r[0] * c - r[2] * a;
-    I[5][k] += r[1] * a - r[0] * b;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Four a = lanesOf(I[0])[k], b = lanesOf(I[1])[k], c = lanesOf(I[2])[k];
+    lanesOf(I[3])[k] += r[2] * b - r[1] * c;
+    lanesOf(I[4])[k] += r[0] * c - r[2] * a;
+    lanesOf(I[5])[k] += r[1] * a - r[0] * b;
   }
   for (std::size_t row = 3; row < 6; ++row) {
     moveWrench(I[row], r);
@@ -100,11 +110,11 @@ Vector atCentre(const btVector3& linear, const btVector3& angular, const btVecto
   v[6] = v[7] = 0;
 }
 
-PONGSIM_WIDE bool factorLink(const Articulation::Link& link, Articulation::Freedom* freedoms, double* own,
-                             Articulation::Body* bodies) {
-  const Articulation::Body& body = bodies[link.body];
-  Inertia I = body.inertia;
-  Vector p = body.wrench;
+/// Adds to the parent the inertia of a link, less what its joint lets move, and the wrench of what its joint asks for.
+[[gnu::always_inline]] inline bool factorLink(const Articulation::Link& link, Articulation::Freedom* freedoms,
+                                              double* own, Articulation::Body* bodies) {
+  Inertia& I = bodies[link.body].inertia;
+  Vector& p = bodies[link.body].wrench;
   for (std::size_t i = link.first; i < link.end; ++i) {
     Articulation::Freedom& freedom = freedoms[i];
     Vector U;
@@ -129,6 +139,32 @@ PONGSIM_WIDE bool factorLink(const Articulation::Link& link, Articulation::Freed
   addTo(parent.wrench, 1, p);
   for (std::size_t row = 0; row < 6; ++row) addTo(parent.inertia[row], 1, I[row]);
   return true;
+}
+
+PONGSIM_WIDE bool factorLinks(const Articulation::Link* links, std::size_t count, Articulation::Freedom* freedoms,
+                              double* own, Articulation::Body* bodies) {
+  for (std::size_t number = count; number-- > 0;) {
+    if (!factorLink(links[number], freedoms, own, bodies)) return false;
+  }
+  return true;
+}
+
+PONGSIM_WIDE void moveLinks(const Articulation::Link* links, std::size_t count, const Articulation::Freedom* freedoms,
+                            const double* z, bool isByJoints, Vector* changes) {
+  for (std::size_t number = 0; number < count; ++number) {
+    const Articulation::Link& link = links[number];
+    Vector v{};
+    if (link.parent >= 0) {
+      v = changes[link.parent];
+      moveVelocity(v, link.shift);
+    }
+    if (isByJoints) addTo(v, 1, link.bias);
+    for (std::size_t i = link.end; i-- > link.first;) {
+      const Articulation::Freedom& freedom = freedoms[i];
+      addTo(v, z[i] * freedom.scale - product(freedom.U, v) * freedom.inverseD, freedom.S);
+    }
+    changes[link.body] = v;
+  }
 }
 
 /// A wrench on its way to the root.
@@ -232,9 +268,7 @@ bool Articulation::factor() {
   }
   width_ = widthFor(coordinates);
   own_.assign(width_, 0.0);
-  for (std::size_t number = links_.size(); number-- > 0;) {
-    if (!factorLink(links_[number], freedoms_.data(), own_.data(), bodies_.data())) return false;
-  }
+  if (!factorLinks(links_.data(), links_.size(), freedoms_.data(), own_.data(), bodies_.data())) return false;
   for (Body& body : bodies_) {
     if (!body.isRoot) continue;
     if (!factorRoot(body.inertia)) return false;
@@ -281,20 +315,7 @@ std::span<const Articulation::Vector> Articulation::change(std::span<const doubl
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].isRoot) solveBackward(bodies_[i].inertia, &z[bodies_[i].first], changes_[i]);
   }
-  for (const Link& link : links_) {
-    Vector& v = changes_[static_cast<std::size_t>(link.body)];
-    if (link.parent < 0) {
-      v.fill(0);
-    } else {
-      v = changes_[static_cast<std::size_t>(link.parent)];
-      moveVelocity(v, link.shift);
-    }
-    if (isByJoints) addTo(v, 1, link.bias);
-    for (std::size_t i = link.end; i-- > link.first;) {
-      const Freedom& freedom = freedoms_[i];
-      addTo(v, z[i] * freedom.scale - product(freedom.U, v) * freedom.inverseD, freedom.S);
-    }
-  }
+  moveLinks(links_.data(), links_.size(), freedoms_.data(), z.data(), isByJoints, changes_.data());
   return changes_;
 }
 

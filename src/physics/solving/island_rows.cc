@@ -121,15 +121,13 @@ void IslandRows::takeBodies(std::span<btRigidBody* const> bodies) {
     const btVector3 linear = body.getLinearVelocity() + body.getTotalForce() * (body.getInvMass() * dt_);
     const btMatrix3x3& I = body.getInvInertiaTensorWorld();
     const btVector3 angular = body.getAngularVelocity() + I * body.getTotalTorque() * dt_;
-    bodies_.push_back({&body,
-                       {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()},
-                       body.getAngularVelocity(),
-                       {},
-                       {},
-                       {Two{I[0].x(), I[1].x()}, Two{I[0].y(), I[1].y()}, Two{I[0].z(), I[1].z()}},
-                       spatialInertiaOf(body),
-                       -1});
-    if (bodies_.back().inertia != nullptr) bodies_.back().velocity = velocityUnderForces(bodies_.back());
+    Body& own = bodies_.emplace_back();
+    own.body = &body;
+    own.velocity = {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
+    own.angularBefore = body.getAngularVelocity();
+    for (int k = 0; k < 3; ++k) own.inverseMoments[k] = Two{I[0][k], I[1][k]};
+    own.inertia = spatialInertiaOf(body);
+    if (own.inertia != nullptr) own.velocity = velocityUnderForces(own);
   }
 }
 

@@ -78,19 +78,19 @@ class IslandRows {
 
  private:
   struct Body {
-    btRigidBody* body;
+    btRigidBody* body = nullptr;
     /// With the external forces of this step: linear, angular.
     std::array<double, 6> velocity;
     /// The angular velocity without them: friction sees torques one step late.
     btVector3 angularBefore;
-    std::array<double, 6> change;
-    std::array<double, 6> push;
+    std::array<double, 6> change{};
+    std::array<double, 6> push{};
     /// The first two rows of its inverse inertia in the world frame, column by column.
     Two inverseMoments[3];
     /// Replaces these and the mass, where not null.
-    const SpatialInertia* inertia;
+    const SpatialInertia* inertia = nullptr;
     /// The last end of a row at it, -1 for none.
-    int lastEnd;
+    int lastEnd = -1;
   };
   /// A row of a joint whose reaction is measured.
   struct Measured {
