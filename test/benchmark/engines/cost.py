@@ -13,6 +13,7 @@ import statistics
 import sys
 import time
 
+import accuracy
 import worlds
 from engines import load
 
@@ -123,15 +124,30 @@ def other_steps(case, engines, rows):
             rows.append([case.name, engine.NAME, step, cost, cost, cost, wall, error, case.unit])
 
 
+def at_same_error(engines, only):
+    """Of pongsim and of MuJoCo with two of its integrators, in the worlds of single robots of many links."""
+    classes = {"pongsim": engines[0].Engine}
+    for engine in engines:
+        if engine.NAME.startswith("MuJoCo"):
+            classes |= {"MuJoCo": engine.Engine, "MuJoCo, RK4": engine.RungeKutta}
+    print(f"processor time of a simulated second [ms], medians of {ROUNDS} by turns, and errors, by the length of a step")
+    for case in worlds.on_trees():
+        if case.count == 1 and only in case.name:
+            accuracy.compare(case, classes, ROUNDS)
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tools/bench engines", description="Engines side by side.")
     parser.add_argument("count", nargs="*", type=int, default=[1, 10, 50, 200, 1000], help="how many robots")
     parser.add_argument("--only", default="", help="worlds whose name contains this")
     parser.add_argument("--csv", default="", help="a file for all numbers, which plot.py draws")
+    parser.add_argument("--accuracy", action="store_true", help="the cost of robots of many links at the same error")
     options = parser.parse_args()
     if any(count < 1 for count in options.count):
         parser.error("a number of robots is at least 1")
     engines, rows = load(), []
+    if options.accuracy:
+        return at_same_error(engines, options.only)
     print(f"a step of 1 ms: processor time [us], medians of {ROUNDS} by turns (least to most), in times of pongsim's; "
           "wall time [us], best decile, in times of pongsim's; error")
     cases = [case for case in worlds.cases(options.count) if options.only in case.name]

@@ -15,8 +15,10 @@ BOUNCE = 'solref="-100000 0"'
 
 
 class Engine:
+    integrator = "implicitfast"
+
     def __init__(self, scene, step):
-        self.model = mujoco.MjModel.from_xml_string(mjcf_of(scene, step))
+        self.model = mujoco.MjModel.from_xml_string(mjcf_of(scene, step, self.integrator))
         self.data = mujoco.MjData(self.model)
         held = {joint.child for joint in scene.joints if not joint.closes}
         for body in scene.bodies:
@@ -42,6 +44,10 @@ class Engine:
         pass
 
 
+class RungeKutta(Engine):
+    integrator = "RK4"
+
+
 def numbers(values):
     return " ".join(repr(float(value)) for value in values)
 
@@ -62,7 +68,7 @@ def material_of(scene):
     return f'friction="{scene.friction} 0.005 0.0001" {bounce}'
 
 
-def mjcf_of(scene, step):
+def mjcf_of(scene, step, integrator="implicitfast"):
     tree = [joint for joint in scene.joints if not joint.closes]
     holder = {joint.child: joint for joint in tree}
     children = {}
@@ -100,7 +106,7 @@ def mjcf_of(scene, step):
     )
     return (
         f'<mujoco><compiler angle="radian" autolimits="true"/><size memory="1G"/><option timestep="{step!r}" '
-        f'integrator="implicitfast" gravity="{numbers(scene.gravity)}"><flag autoreset="disable"/></option>'
+        f'integrator="{integrator}" gravity="{numbers(scene.gravity)}"><flag autoreset="disable"/></option>'
         f"<worldbody>{world}</worldbody>"
         f"<actuator>{motors}</actuator><contact>{apart_of(scene)}</contact><equality>{loops_of(scene)}</equality>"
         "</mujoco>"
