@@ -1,14 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "support/process.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 #include "support/video/decoded_video.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::video {
 namespace {
@@ -111,6 +114,26 @@ TEST_F(ViewVideo, ShowsARunningWorld) {
 
   EXPECT_EQ(view({"--thermal"}, false), 2);
   EXPECT_EQ(view({"--labels"}, false), 2);
+}
+
+TEST_F(ViewVideo, OfARunningWorldEndsWithIt) {
+  test::testDomain();
+  test::Process run({PONGSIM_PROGRAM, "run", folder_.write("w.sdf", kWorld).string()});
+  ASSERT_TRUE(run.waitForError("pongsim: world '")) << run.error();
+  const fs::path video = folder_.path() / "cut.mp4";
+  test::Process view({PONGSIM_PROGRAM, "view", "--video", video.string(), "--for", "3600", "--timeout", "10000",
+                      "--camera", "0 0 0 0 0 0", "--size", "64x32"});
+  // the first pictures are in it
+  ASSERT_TRUE(test::waitUntil([&] {
+    std::error_code error;
+    const auto size = fs::file_size(video.string() + ".part", error);
+    return !error && size > 0;
+  })) << view.error();
+  run.kill(SIGINT);
+  EXPECT_EQ(view.wait(), 1);
+  EXPECT_TRUE(view.error().starts_with("pongsim: error: world 'w' has ended\npongsim: " + video.string() + ": 64 x 32"))
+      << view.error();
+  EXPECT_FALSE(test::decodedVideo(video).frames.empty());
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ class RunningSight final : public Sight {
   /// Asks for what is there now.
   /// @return Whether there was an answer.
   bool look() {
-    MessagePointer answer = askForState(*transport_, world_, timeout_);
+    MessagePointer answer = askForState(*transport_, world_, timeout_, answer_ != nullptr);
     if (answer == nullptr) return false;
     Diagnostics missing;
     now_ = std::make_unique<Snapshot>(*answer, missing);

@@ -5,12 +5,16 @@
 
 namespace pongsim::cli {
 
-MessagePointer askForState(Transport& transport, const std::string& world, std::chrono::nanoseconds timeout) {
+MessagePointer askForState(Transport& transport, const std::string& world, std::chrono::nanoseconds timeout,
+                           bool hasAnswered) {
   const MessagePointer request = newMessage("ignition.msgs.Empty");
   MessagePointer reply = newMessage("ignition.msgs.SerializedStepMap");
   const CallResult result = transport.node().call("/world/" + world + "/state", *request, *reply, timeout);
   if (result) return reply;
-  if (result.outcome == CallOutcome::kNoService) {
+  const bool isGone = result.outcome == CallOutcome::kGone;
+  if (isGone || (result.outcome == CallOutcome::kNoService && hasAnswered)) {
+    fail("world '" + world + "' has ended");
+  } else if (result.outcome == CallOutcome::kNoService) {
     fail("world '" + world + "' does not offer its state",
          "add <plugin filename=\"ignition-gazebo-scene-broadcaster-system\" "
          "name=\"ignition::gazebo::systems::SceneBroadcaster\"/>");
