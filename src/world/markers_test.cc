@@ -6,13 +6,13 @@ namespace pongsim::world {
 namespace {
 
 using enum MarkerChange::Action;
-using Type = Marker::Type;
+using MarkerType = Marker::Type;
 
 MarkerChange sphere(std::uint64_t id, Time lifetime = Time(0)) {
   MarkerChange change;
   change.space = "s";
   change.id = id;
-  change.type = Type::kSphere;
+  change.type = MarkerType::kSphere;
   change.lifetime = lifetime;
   return change;
 }
@@ -33,11 +33,11 @@ TEST(Markers, KeepWhatAChangeLeavesOut) {
   first.points = {{1, 0, 0}};
   ASSERT_TRUE(markers.apply(first, Time(0)));
   MarkerChange second = sphere(1);
-  second.type = Type::kNone;
+  second.type = MarkerType::kNone;
   second.scale = Vector3(2, 2, 2);
   ASSERT_TRUE(markers.apply(second, Time(0)));
   const Marker& marker = *markers.all().at({"s", 1});
-  EXPECT_EQ(marker.type, Type::kSphere);
+  EXPECT_EQ(marker.type, MarkerType::kSphere);
   EXPECT_EQ(marker.X_ParentMarker.position, Vector3(1, 2, 3));
   EXPECT_EQ(marker.scale, Vector3(2, 2, 2));
   EXPECT_EQ(marker.color, Eigen::Vector4f(1, 0, 0, 1));
@@ -99,7 +99,7 @@ TEST(Markers, AreRemovedOneByOneByNameSpaceOrAll) {
 TEST(Markers, AreRefusedBeyondTheLimitsAndChangeNothing) {
   Markers markers;
   MarkerChange none = sphere(1);
-  none.type = Type::kNone;
+  none.type = MarkerType::kNone;
   EXPECT_EQ(markers.apply(none, Time(0)).error, "marker 1 of the name space 's' has no type");
   MarkerChange points = sphere(1);
   points.points.resize(Markers::kMostPoints);

@@ -13,7 +13,7 @@ namespace pongsim::world {
 namespace {
 
 using namespace std::chrono_literals;
-using Type = description::ParticleEmitter::Type;
+using EmitterType = description::ParticleEmitter::Type;
 
 /// A world with a model whose link has one emitter, in steps of 10 ms.
 class ParticlesTest : public testing::Test {
@@ -48,7 +48,7 @@ class ParticlesTest : public testing::Test {
     return all;
   }
   /// @return Where particles have begun, in the frame of the emitter at the origin.
-  std::vector<Vector3> beginnings(Type type) {
+  std::vector<Vector3> beginnings(EmitterType type) {
     emitter_->type = type;
     emitter_->size = {2, 4, 6};
     emitter_->rate = 1000;
@@ -114,18 +114,18 @@ TEST_F(ParticlesTest, GrowAndKnowTheShareOfTheirLife) {
 }
 
 TEST_F(ParticlesTest, BeginInTheVolume) {
-  for (const Vector3& place : beginnings(Type::kPoint)) EXPECT_EQ(place, Vector3::Zero());
+  for (const Vector3& place : beginnings(EmitterType::kPoint)) EXPECT_EQ(place, Vector3::Zero());
   // the first size is along y, the second along z, the third along x
   Eigen::AlignedBox3d box;
-  for (const Vector3& place : beginnings(Type::kBox)) box.extend(place);
+  for (const Vector3& place : beginnings(EmitterType::kBox)) box.extend(place);
   EXPECT_TRUE(Eigen::AlignedBox3d(Vector3(-3, -1, -2), Vector3(3, 1, 2)).contains(box));
   EXPECT_GT(box.sizes().x(), 5.5);
   EXPECT_GT(box.sizes().y(), 1.8);
   EXPECT_GT(box.sizes().z(), 3.6);
-  for (const Vector3& place : beginnings(Type::kCylinder)) {
+  for (const Vector3& place : beginnings(EmitterType::kCylinder)) {
     EXPECT_LE(place.y() * place.y() + place.z() * place.z() / 4, 1);
   }
-  for (const Vector3& place : beginnings(Type::kEllipsoid)) {
+  for (const Vector3& place : beginnings(EmitterType::kEllipsoid)) {
     EXPECT_LE(place.cwiseQuotient(Vector3(3, 1, 2)).squaredNorm(), 1);
   }
 }
@@ -155,7 +155,7 @@ TEST_F(ParticlesTest, StayWhereTheyWereEmittedWhenTheLinkMoves) {
 }
 
 TEST_F(ParticlesTest, DependOnTheSeedAlone) {
-  emitter_->type = Type::kBox;
+  emitter_->type = EmitterType::kBox;
   emitter_->rate = 100;
   const auto run = [this](std::uint64_t seed) {
     start(seed);
@@ -175,7 +175,7 @@ TEST_F(ParticlesTest, AreNoMoreThanTheMost) {
 }
 
 TEST_F(ParticlesTest, ContinueFromASavedStateWithTheSameBits) {
-  emitter_->type = Type::kBox;
+  emitter_->type = EmitterType::kBox;
   emitter_->rate = 33;
   emitter_->lifetime = 0.5;
   start();
