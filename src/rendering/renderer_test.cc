@@ -53,16 +53,16 @@ class EverythingDrawn : public ::testing::Test {
 
   /// @return A picture with waves of a length of a sixth of it, of different colours.
   description::Texture waves(const std::string& name) {
-    constexpr std::uint32_t kEdge = 64;
+    constexpr std::uint32_t kSide = 64;
     std::vector<std::uint8_t> pixels;
-    for (std::uint32_t i = 0; i < kEdge * kEdge; ++i) {
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
       for (const double phase : {0.0, 1.0, 2.0}) {
-        const double wave = std::sin(0.6 * (i % kEdge) + phase) * std::cos(0.6 * (i / kEdge));
+        const double wave = std::sin(0.6 * (i % kSide) + phase) * std::cos(0.6 * (i / kSide));
         pixels.push_back(static_cast<std::uint8_t>(std::lround(160 + 80 * wave)));
       }
     }
     const auto file = folder_.path() / name;
-    EXPECT_FALSE(assets::writePicture(file, kEdge, kEdge, pixels));
+    EXPECT_FALSE(assets::writePicture(file, kSide, kSide, pixels));
     return {file.string(), file};
   }
 
