@@ -171,7 +171,7 @@ class LogVideoRecorder final : public System {
     view.cy = settings_.height / 2.0;
     view.near = extent / 100;
     view.far = std::numeric_limits<double>::infinity();
-    view.X_WorldEye.rotation = fromRollPitchYaw(0, std::atan2(kAway.z(), -kAway.x()), 0);
+    view.X_WorldEye.rotation = fromRollPitchYaw(0, math::atan2(kAway.z(), -kAway.x()), 0);
     added.recording = std::make_unique<Recording>(std::move(*encoder));
     log_->info("recording '" + name + "' into '" + place->string() + "'");
     films_.push_back(std::move(added));

@@ -181,7 +181,7 @@ class Renderer::Content {
     }
     // they have no number and no temperature
     if constexpr (std::is_same_v<Pass, DepthPass>) {
-      for (const PlacedMarker& marker : scene.markers()) drawMarker(marker, view);
+      for (const PlacedMarker& marker : scene.markers()) drawMarker(marker, view, false);
     }
     frame.read(values);
   }
@@ -280,21 +280,23 @@ class Renderer::Content {
       gl_.depthMask(GL_FALSE);
     }
     for (const PlacedMarker& marker : scene.markers()) {
-      if ((marker.marker->color.w() < 1) == isTranslucent) drawMarker(marker, view);
+      if ((marker.marker->color.w() < 1) == isTranslucent) drawMarker(marker, view, true);
     }
   }
 
   /// With the program that is in use; the others than that for markers take no colour.
-  void drawMarker(const PlacedMarker& marker, const PictureView& view) {
+  void drawMarker(const PlacedMarker& marker, const PictureView& view, bool isInColors) {
     constexpr GLenum kModes[] = {GL_TRIANGLES, GL_LINES, GL_POINTS};
     gl_.disable(GL_CULL_FACE);
     for (const MarkerPart& part : *marker.parts) {
       Eigen::Affine3d X_PlacePart = marker.X_WorldPart(part, view.X_WorldEye.rotation);
       X_PlacePart.translation() -= view.X_WorldEye.position;
       setMatrix(shaders::kPlaceFromSurface, X_PlacePart.matrix());
-      const Eigen::Vector4f& own = marker.marker->color;
-      const Eigen::Vector3f color = part.color.value_or(own.head<3>());
-      gl_.uniform4fv(shaders::kDiffuse, 1, Eigen::Vector4f(color.x(), color.y(), color.z(), own.w()).data());
+      if (isInColors) {
+        const Eigen::Vector4f& own = marker.marker->color;
+        const Eigen::Vector3f color = part.color.value_or(own.head<3>());
+        gl_.uniform4fv(shaders::kDiffuse, 1, Eigen::Vector4f(color.x(), color.y(), color.z(), own.w()).data());
+      }
       store_.draw(part.surface, kModes[static_cast<std::size_t>(part.kind)]);
     }
   }
