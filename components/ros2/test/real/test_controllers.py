@@ -103,8 +103,13 @@ def test_driving_by_a_controller():
         simulation.until(lambda: publisher.get_subscription_count() > 0, "the controller's subscription")
         command = TwistStamped()
         command.twist.linear.x, command.twist.angular.z = 0.5, 0.2
-        publisher.publish(command)
-        simulation.until(lambda: odometry and odometry[-1].pose.pose.position.x > 0.5, "motion")
+
+        def has_moved():
+            # the controller may find the publisher later than the publisher it
+            publisher.publish(command)
+            return odometry and odometry[-1].pose.pose.position.x > 0.5
+
+        simulation.until(has_moved, "motion")
         assert abs(odometry[-1].twist.twist.linear.x - 0.5) < 0.02 and abs(odometry[-1].twist.twist.angular.z - 0.2) < 0.02
         # one parent each: odom, and below it the links
         frames.clear()
