@@ -10,6 +10,8 @@ TEST(MostWaiting, IsOneOfAStateAndMoreOfEvents) {
   EXPECT_EQ(queueDepth("ignition.msgs.Pose_V"), 1U);
   EXPECT_GT(queueDepth("ignition.msgs.IMU"), 1U);
   EXPECT_GT(queueDepth("ignition.msgs.StringMsg"), 1U);
+  // an array of markers is told one by one
+  EXPECT_EQ(queueDepth("ignition.msgs.Marker"), 10'000U);
 }
 
 }  // namespace

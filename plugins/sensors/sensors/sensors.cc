@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -158,10 +159,19 @@ class Sensors final : public SensorSystem {
       auto made = std::make_unique<CameraSurroundings>(context.world, restsWithoutPower_);
       made->scene().setColors(colorIn(*plugin_, "background_color"), colorIn(*plugin_, "ambient_light"));
       cameras_ = std::move(made);
-      markers_.emplace(context.world, context.node, *logger_, MarkerViewers::kSensors);
+      offerMarkers(context);
       cameras_->rebuild(context.diagnostics);
     }
     return *cameras_;
+  }
+
+  void offerMarkers(const SensorContext& context) {
+    try {
+      markers_.emplace(context.world, context.node, *logger_, MarkerViewers::kSensors);
+    } catch (const std::invalid_argument& error) {
+      // another system of this kind offers them
+      logger_->warning(std::string(error.what()) + ": this system offers none for markers");
+    }
   }
 
   bool restsWithoutPower_ = false;

@@ -119,6 +119,9 @@ void mergeEmitter(const Message& message, std::string& changes) {
   given.GetReflection()->ListFields(given, &fields);
   for (const google::protobuf::FieldDescriptor* field : fields) all.GetReflection()->ClearField(&all, field);
   all.MergeFrom(given);
+  // neither has an effect, and what is not known would be added each time
+  all.clear_header();
+  all.DiscardUnknownFields();
   changes = all.SerializeAsString();
 }
 

@@ -27,7 +27,8 @@ bool DirectSolver::solve(std::span<btRigidBody* const> bodies, std::span<btPersi
                          std::span<Joint* const> joints, double dt, int times) {
   mostRows_ = times * mostOfSettings_;
   const std::span<const JointBodies> jointBodies = rows_.begin(bodies, joints, dt);
-  if (!rows_.collect(manifolds, joints, treeOf(jointBodies)) || !solveRows()) return false;
+  rows_.collect(manifolds, joints, treeOf(jointBodies));
+  if (rows_.rows().size() > static_cast<std::size_t>(mostRows_) || !rows_.articulate() || !solveRows()) return false;
   rows_.apply(impulses_, pushImpulses_);
   return true;
 }
@@ -41,7 +42,6 @@ const JointTree* DirectSolver::treeOf(std::span<const JointBodies> joints) {
 
 bool DirectSolver::solveRows() {
   const std::size_t count = rows_.rows().size();
-  if (count > static_cast<std::size_t>(mostRows_)) return false;
   hasPenetration_ = std::ranges::any_of(rows_.rows(), [](const IslandRows::Row& row) { return row.pushRhs != 0; });
   impulses_.resize(count);
   pushImpulses_.resize(hasPenetration_ ? static_cast<std::size_t>(rows_.unfrictionalRows()) : 0);

@@ -20,6 +20,9 @@ namespace {
 // difference of nanometres would lift the wheels off the ground, and they would spin.
 constexpr double kContactCompliance = 1e-4;
 
+// a larger change of velocity comes from an inertia that is not invertible in floating-point numbers [m/s, rad/s]
+constexpr double kLargestChange = 1e6;
+
 // J M^-1 J^T below which a row moves nothing, because that is rounding [1/kg]
 constexpr double kSmallestInverseMass = SIMD_EPSILON;
 
@@ -58,7 +61,7 @@ std::span<const JointBodies> IslandRows::begin(std::span<btRigidBody* const> bod
   return jointBodies_;
 }
 
-bool IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints,
+void IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints,
                          const JointTree* tree) {
   tree_ = tree;
   rows_.clear();
@@ -99,7 +102,6 @@ bool IslandRows::collect(std::span<btPersistentManifold* const> manifolds, std::
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (contacts_[i].friction.torsion > 0) addTorsionRow(contacts_[i], jointRows_ + static_cast<int>(i));
   }
-  return tree == nullptr || articulate();
 }
 
 /// @return Its number in the island, -1 for a body that does not move.
@@ -245,10 +247,16 @@ void IslandRows::takeInertia(const Body& body, Articulation::Inertia& inertia) c
 
 /// Finds how the bodies move as their joints ask for, and from now on rows see that motion.
 bool IslandRows::articulate() {
+  if (tree_ == nullptr) return true;
   for (std::size_t i = 0; i < bodies_.size(); ++i) takeInertia(bodies_[i], articulation_.inertia(i));
   if (!articulation_.factor()) return false;
   const std::span<const Articulation::Vector> changes = articulation_.changeByJoints();
-  for (std::size_t i = 0; i < bodies_.size(); ++i) std::copy_n(changes[i].begin(), 6, bodies_[i].change.begin());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (const double each : changes[i]) {
+      if (!(std::abs(each) < kLargestChange)) return false;
+    }
+    std::copy_n(changes[i].begin(), 6, bodies_[i].change.begin());
+  }
   resolveRows();
   return true;
 }

@@ -59,8 +59,11 @@ class IslandRows {
   std::span<const JointBodies> begin(std::span<btRigidBody* const> bodies, std::span<Joint* const> joints, double dt);
   /// Adds all rows.
   /// @param tree Of these joints, or null for rows of all.
-  /// @return False where the inertia of a tree is not positive definite.
-  bool collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints, const JointTree* tree);
+  void collect(std::span<btPersistentManifold* const> manifolds, std::span<Joint* const> joints, const JointTree* tree);
+
+  /// Lets the rows see the bodies as the tree's joints hold them together; to be called before what follows.
+  /// @return False where the inertia of a tree is not positive definite, or so nearly that it has no inverse.
+  bool articulate();
 
   std::span<const Row> rows() const { return rows_; }
   /// Number of rows that are not friction.
@@ -108,7 +111,6 @@ class IslandRows {
   void addLink(Joint& joint, const JointTree::Link& link);
   void addJointRow(const Joint& joint, const JointRow& content);
   void takeInertia(const Body& body, Articulation::Inertia& inertia) const;
-  bool articulate();
   void resolveRows();
   void applyToTree(std::span<const double> impulses, std::array<double, 6> Body::*to);
   void measureLinks(std::span<const double> impulses);

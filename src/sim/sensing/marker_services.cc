@@ -1,5 +1,6 @@
 #include "pongsim/sensing/marker_services.hh"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
@@ -92,6 +93,11 @@ struct MarkerServices::Content {
     const Outcome<world::MarkerChange> asked = msgs::markerChange(message);
     if (!asked) return {asked.error};
     const std::string& parent = asked.value->parent;
+    // before they are quoted
+    if (std::max(parent.size(), asked.value->space.size()) > world::Markers::kLongestText) {
+      return {"a marker's name space or parent has more than " + std::to_string(world::Markers::kLongestText) +
+              " characters"};
+    }
     if (asked.value->action == kAdd && !rendering::markerParentPose(parent, access.entities, access.state)) {
       return {"marker " + std::to_string(asked.value->id) + " has the parent '" + parent +
               "', but there is no such model, link (MODEL::LINK) or visual (MODEL::LINK::VISUAL)"};

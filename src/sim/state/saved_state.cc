@@ -21,7 +21,7 @@ namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim7";
+constexpr std::string_view kMark = "pongsim8";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);

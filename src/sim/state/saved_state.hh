@@ -11,7 +11,7 @@
 
 namespace pongsim::sim {
 
-// The format: "pongsim7", a hash of the world's structure, a checksum of the content, and the content.
+// The format: "pongsim8", a hash of the world's structure, a checksum of the content, and the content.
 
 std::vector<std::byte> saveState(Access& access, SystemSet& systems);
 
