@@ -37,7 +37,8 @@ std::string systemName(std::string_view filename) {
       break;
     }
   }
-  return std::string(name);
+  // Gazebo's server, whose clients the system Web serves
+  return name == "websocket-server" ? "web" : std::string(name);
 }
 
 }  // namespace pongsim::plugin

@@ -18,7 +18,7 @@ TEST(SystemName, IsTheSameForAllFormsThatWorldsUse) {
 TEST(SystemName, IsThatOfAPluginOfLaunchFiles) {
   for (const char* filename : {"ignition-launch-websocket-server", "libignition-launch5-websocket-server.so",
                                "gz-launch-websocket-server", "gz-sim-websocket-server-system"}) {
-    EXPECT_EQ(systemName(filename), "websocket-server") << filename;
+    EXPECT_EQ(systemName(filename), "web") << filename;
   }
 }
 
