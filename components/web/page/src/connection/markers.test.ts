@@ -10,6 +10,7 @@ const header = (world: string): Message => ({ header: { data: [{ key: 'world', v
 /// A connection to a server with these markers, and what is needed to change them.
 function server(list: Message | null) {
   let receive: (message: Message) => void = () => {};
+  const frames: (() => void)[] = [];
   const servicesChanged = new Emitter<void>();
   const stateChanged = new Emitter<string>();
   const connection = {
@@ -21,10 +22,25 @@ function server(list: Message | null) {
       return () => (receive = () => {});
     },
     call: async () => list ?? {},
+    nextAnimationFrame: (callback: () => void) => frames.push(callback),
   } as unknown as Connection;
-  let shown: string[] = [];
-  const feed = new MarkerFeed(connection, 'w', (markers) => (shown = [...markers.keys()]));
-  return { feed, connection, servicesChanged, stateChanged, shown: () => shown, tell: (message: Message) => receive(message) };
+  let last: Message[] = [];
+  let times = 0;
+  const feed = new MarkerFeed(connection, 'w', (markers) => {
+    last = [...markers.values()];
+    ++times;
+  });
+  /// Those shown after an animation frame.
+  const markers = (): Message[] => {
+    for (const each of frames.splice(0)) each();
+    return last;
+  };
+  const shown = (): string[] => markers().map(({ ns, id }) => `${ns ?? ''}\n${id}`);
+  return {
+    feed, connection, servicesChanged, stateChanged, markers, shown,
+    times: () => times,
+    tell: (message: Message) => receive(message),
+  };
 }
 
 const settled = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
@@ -65,4 +81,45 @@ test('markers are asked for where the service appears later, and anew after a lo
   await settled();
   assert.deepEqual(shown(), ['\n5']);
   feed.end();
+});
+
+test('markers are shown once per animation frame, and not after the end', () => {
+  const { tell, shown, times, feed } = server(null);
+  for (const id of [1n, 2n, 3n]) tell({ ...header('w'), id });
+  assert.deepEqual(shown(), ['\n1', '\n2', '\n3']);
+  assert.equal(times(), 1);
+  tell({ ...header('w'), id: 4n });
+  feed.end();
+  shown();
+  assert.equal(times(), 1);
+});
+
+test('changes that overtake the list are kept', async () => {
+  const old = [1n, 2n, 3n].map((id) => ({ ns: 'a', id, text: 'old' }));
+  const { tell, shown, markers } = server({ ...header('w'), marker: [...old, { ns: 'b', id: 1n }, { id: 1n }] });
+  tell({ ...header('w'), ns: 'a', id: 1n, action: 1 });
+  tell({ ...header('w'), ns: 'a', id: 2n, text: 'new' });
+  tell({ ...header('w'), ns: 'b', action: 2 });
+  await settled();
+  assert.deepEqual(shown(), ['a\n2', 'a\n3', '\n1']);
+  assert.deepEqual(markers().map(({ text }) => text), ['new', 'old', undefined]);
+});
+
+test('a list is not shown that was asked for before all were deleted', async () => {
+  const { tell, shown } = server({ ...header('w'), marker: [{ ns: 'a', id: 1n }, { id: 1n }] });
+  tell({ ...header('w'), action: 2 });
+  await settled();
+  assert.deepEqual(shown(), []);
+});
+
+test('markers are asked for again after a failure', async () => {
+  const { connection, servicesChanged, shown } = server(null);
+  (connection.services as Map<string, unknown>).set('/marker/list', {});
+  Object.assign(connection, { call: async () => Promise.reject(new Error('too slow')) });
+  servicesChanged.emit();
+  await settled();
+  Object.assign(connection, { call: async () => ({ ...header('w'), marker: [{ id: 5n }] }) });
+  servicesChanged.emit();
+  await settled();
+  assert.deepEqual(shown(), ['\n5']);
 });

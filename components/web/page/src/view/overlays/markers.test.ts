@@ -76,3 +76,30 @@ test('those that stay are kept, and those that are gone are disposed of', () => 
   markers.dispose();
   assert.equal(markers.group.children.length, 0);
 });
+
+test('parents are looked up by names that are made once per scene', () => {
+  const { markers, object, stage } = shown({ type: 1, parent: 'm::l' });
+  stage.setScene({ model: [{ id: 7, name: 'm', pose: { position: { x: 6 } }, link: [{ id: 8, name: 'l' }] }] });
+  const { places } = stage.content as { places: Map<number, unknown> };
+  const keys = places.keys.bind(places);
+  let times = 0;
+  places.keys = () => {
+    ++times;
+    return keys();
+  };
+  markers.update();
+  assert.equal(object.matrix.elements[12], 6);
+  markers.set(new Map(['a', 'b', 'c'].map((key) => [key, { type: 1, parent: 'm' }])));
+  markers.update();
+  assert.equal(times, 1);
+  stage.setScene({});
+  markers.update();
+  assert.deepEqual(markers.group.children.map(({ visible }) => visible), [false, false, false]);
+});
+
+test('only markers with parents are moved', () => {
+  const { markers, object } = shown({ type: 1, pose: { position: { x: 1 } } });
+  assert.equal(object.matrix.elements[12], 1);
+  object.updateMatrixWorld = () => assert.fail('it is moved');
+  markers.update();
+});

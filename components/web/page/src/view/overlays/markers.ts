@@ -21,9 +21,9 @@ import {
 } from 'three';
 
 import { formOf } from '../draw/shapes.ts';
-import { matrixOf, placementOf, vectorOf } from '../maths/placement.ts';
+import { type Placement, matrixOf, noPlacement, placementOf, vectorOf } from '../maths/placement.ts';
 import { type ColorMessage, type GeometryMessage, GeometryType, type Message, type VectorMessage } from '../messages.ts';
-import { fullName } from '../scene/content.ts';
+import { type Content, fullName } from '../scene/content.ts';
 import type { Stage } from '../scene/stage.ts';
 
 /// ignition.msgs.Marker.Type
@@ -146,10 +146,36 @@ function dispose(object: Object3D): void {
   });
 }
 
+/// A frame in which markers may be: of a place, or of a visual in it.
+interface Parent {
+  place: number;
+  X_PlaceParent: Placement;
+}
+
+/// By full names. A place hides a visual of the same name, and the first of several hides the others.
+function parentsOf({ places, visuals }: Content): Map<string, Parent> {
+  const parents = new Map<string, Parent>();
+  const names = new Map<number, string>();
+  const add = (name: string, parent: Parent) => void (parents.has(name) || parents.set(name, parent));
+  for (const id of places.keys()) {
+    const name = fullName(places, id);
+    names.set(id, name);
+    add(name, { place: id, X_PlaceParent: noPlacement() });
+  }
+  for (const { name, place, X_PlaceShape } of visuals) add(`${names.get(place)}::${name}`, { place, X_PlaceParent: X_PlaceShape });
+  return parents;
+}
+
+function parentOf(marker: Message): string {
+  return (marker['parent'] ?? '') as string;
+}
+
 /// Markers (ignition.msgs.Marker), in the world or in the frame of their parents.
 export class Markers {
   readonly group = new Group();
   private all = new Map<string, { marker: Message; object: Group }>();
+  /// Those of the scene in which they were last looked up.
+  private parents: { content: Content; byName: Map<string, Parent> } | null = null;
 
   constructor(private readonly stage: Stage) {}
 
@@ -170,19 +196,11 @@ export class Markers {
       this.group.remove(object);
       dispose(object);
     }
-    this.update();
   }
 
   /// Moves them with their parents.
   update(): void {
-    for (const { marker, object } of this.all.values()) {
-      const parent = this.matrixOfParent((marker['parent'] ?? '') as string);
-      object.visible = parent !== null;
-      if (parent === null) continue;
-      const scale = marker['scale'] === undefined ? new Vector3(1, 1, 1) : vectorOf(marker['scale']);
-      object.matrix.multiplyMatrices(parent, matrixOf(placementOf(marker['pose']), scale));
-      object.updateMatrixWorld(true);
-    }
+    for (const { marker, object } of this.all.values()) if (parentOf(marker) !== '') this.place(marker, object);
   }
 
   dispose(): void {
@@ -195,16 +213,26 @@ export class Markers {
     const parts = partsOf(marker);
     if (parts.length > 0) object.add(...parts);
     this.group.add(object);
+    this.place(marker, object);
     return object;
+  }
+
+  private place(marker: Message, object: Group): void {
+    const parent = this.matrixOfParent(parentOf(marker));
+    object.visible = parent !== null;
+    if (parent === null) return;
+    const scale = marker['scale'] === undefined ? new Vector3(1, 1, 1) : vectorOf(marker['scale']);
+    object.matrix.multiplyMatrices(parent, matrixOf(placementOf(marker['pose']), scale));
+    object.updateMatrixWorld(true);
   }
 
   /// Null if there is no such model, link or visual.
   private matrixOfParent(name: string): Matrix4 | null {
     if (name === '') return new Matrix4();
-    const { places, visuals } = this.stage.content;
-    for (const id of places.keys()) if (fullName(places, id) === name) return this.stage.places.matrix(id);
-    const visual = visuals.find((each) => `${fullName(places, each.place)}::${each.name}` === name);
-    const matrix = visual && this.stage.places.matrix(visual.place);
-    return matrix ? matrix.multiply(matrixOf(visual.X_PlaceShape)) : null;
+    const { content } = this.stage;
+    if (this.parents?.content !== content) this.parents = { content, byName: parentsOf(content) };
+    const parent = this.parents.byName.get(name);
+    const matrix = parent && this.stage.places.matrix(parent.place);
+    return matrix ? matrix.multiply(matrixOf(parent.X_PlaceParent)) : null;
   }
 }
