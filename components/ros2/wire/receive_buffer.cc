@@ -14,6 +14,8 @@
 #include <cstring>
 #include <memory>
 
+#include "shared/sockets/udp_lookup.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
@@ -41,26 +43,11 @@ std::optional<ReceiveBuffer> readAnswer(const nlmsghdr& header, std::size_t size
 }
 
 std::optional<ReceiveBuffer> ask(int netlink, std::uint32_t address, std::uint16_t port) {
-  struct {
-    nlmsghdr header{};
-    inet_diag_req_v2 wanted{};
-  } request;
-  request.header.nlmsg_len = sizeof request;
-  request.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
-  request.header.nlmsg_flags = NLM_F_REQUEST;
-  request.wanted.sdiag_family = AF_INET;
-  request.wanted.sdiag_protocol = IPPROTO_UDP;
-  request.wanted.idiag_ext = 1U << (INET_DIAG_SKMEMINFO - 1);
-  request.wanted.idiag_states = ~0U;
-  // the kernel looks the socket up as for a received packet, with this destination
-  request.wanted.id.idiag_dst[0] = address;
-  request.wanted.id.idiag_dport = htons(port);
-  std::ranges::fill(request.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
-  if (send(netlink, &request, sizeof request, 0) != sizeof request) return std::nullopt;
-  alignas(nlmsghdr) std::array<std::byte, 4096> answer;
-  const ssize_t size = recv(netlink, answer.data(), answer.size(), 0);
-  if (size < static_cast<ssize_t>(sizeof(nlmsghdr))) return std::nullopt;
-  return readAnswer(*reinterpret_cast<const nlmsghdr*>(answer.data()), static_cast<std::size_t>(size));
+  alignas(nlmsghdr) shared::DiagAnswer answer;
+  constexpr std::uint8_t kMemory = 1U << (INET_DIAG_SKMEMINFO - 1);
+  const auto bytes = shared::askForUdpSocket(netlink, address, htons(port), kMemory, answer);
+  if (bytes.size() < sizeof(nlmsghdr)) return std::nullopt;
+  return readAnswer(*reinterpret_cast<const nlmsghdr*>(answer.data()), bytes.size());
 }
 
 }  // namespace

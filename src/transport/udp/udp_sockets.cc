@@ -16,6 +16,8 @@
 #include <string>
 #include <utility>
 
+#include "shared/sockets/udp_lookup.hh"
+
 namespace pongsim::transport {
 
 namespace {
@@ -100,25 +102,11 @@ std::optional<Answer> askKernel(int netlink, const PortRange& ports) {
 
 /// @return Whether the kernel finds a socket that receives packets for the address.
 bool findsSocket(int netlink, const BoundUdp& address) {
-  struct {
-    nlmsghdr header{};
-    inet_diag_req_v2 wanted{};
-  } request;
-  request.header.nlmsg_len = sizeof request;
-  request.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
-  request.header.nlmsg_flags = NLM_F_REQUEST;
-  request.wanted.sdiag_family = AF_INET;
-  request.wanted.sdiag_protocol = IPPROTO_UDP;
-  request.wanted.idiag_states = ~0U;
-  // the kernel looks the socket up as for a received packet, with this destination
-  request.wanted.id.idiag_dst[0] = htonl(address.address);
-  request.wanted.id.idiag_dport = htons(static_cast<std::uint16_t>(address.port));
-  std::ranges::fill(request.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
-  if (send(netlink, &request, sizeof request, 0) != sizeof request) return false;
-  alignas(nlmsghdr) std::array<std::byte, 4096> answer;
-  const ssize_t size = recv(netlink, answer.data(), answer.size(), 0);
+  alignas(nlmsghdr) shared::DiagAnswer answer;
+  const auto bytes = shared::askForUdpSocket(netlink, htonl(address.address),
+                                             htons(static_cast<std::uint16_t>(address.port)), 0, answer);
   std::vector<BoundUdp> sockets;
-  if (size <= 0 || readPiece(answer.data(), static_cast<std::size_t>(size), sockets) == Rest::kRefused) return false;
+  if (bytes.empty() || readPiece(bytes.data(), bytes.size(), sockets) == Rest::kRefused) return false;
   return sockets.size() == 1 && sockets.front().port == address.port;
 }
 
